@@ -209,38 +209,6 @@ fn a_refusal_keeps_the_old_output() {
 // From here on the solver is needed.
 
 #[test]
-fn a_free_vertex_on_the_boundary_is_named() {
-    let directory = prepared("boundary");
-    fs::write(directory.join("one.txt"), "7\n").unwrap();
-    let message = "cap.obj: free vertex 7 lies on the boundary of the mesh";
-    refused(
-        &directory,
-        &["fair", "cap.obj", "-o", "out.obj", "--free", "one.txt"],
-        message,
-    );
-}
-
-#[test]
-fn an_option_out_of_range_is_named() {
-    let directory = prepared("range");
-    let args = [
-        "fair",
-        "cap.obj",
-        "-o",
-        "out.obj",
-        "--free",
-        "free.txt",
-        "--tolerance",
-        "2",
-    ];
-    refused(
-        &directory,
-        &args,
-        "--tolerance 2: it must be at least 1e-15, the precision of double numbers, and less than 1",
-    );
-}
-
-#[test]
 fn the_report_is_told_and_written() {
     let directory = prepared("report");
     let args = [
@@ -405,135 +373,39 @@ fn the_papers_scheme_takes_its_flags_and_tells_its_levels() {
 }
 
 #[test]
-fn normals_are_fitted_averaged_or_those_of_a_file() {
-    let directory = prepared("normals");
-    let positions = cap();
-    let given: String = (0..SIDE * SIDE)
-        .filter(|&v| !is_free(v))
-        .map(|v| {
-            format!(
-                "{v} {} {} {}\n",
-                positions[v][0], positions[v][1], positions[v][2]
-            )
-        })
-        .collect();
-    fs::write(directory.join("normals.txt"), given).unwrap();
-    let result = |normals: &[&str]| {
+fn the_defaults_have_words() {
+    let directory = prepared("words_of_defaults");
+    let fair = |more: &[&str]| {
         let args = ["fair", "cap.obj", "-o", "out.obj", "--free", "free.txt"];
-        expect(&directory, &[&args[..], normals].concat(), 0);
+        expect(&directory, &[&args[..], more].concat(), 0);
         fs::read(directory.join("out.obj")).unwrap()
     };
-    let fitted = result(&[]);
-    assert_eq!(result(&["--normals", "fitted"]), fitted);
-    let averaged = result(&["--normals", "averaged"]);
-    let exact = result(&["--normals", "normals.txt"]);
-    assert!(averaged != fitted && exact != fitted && exact != averaged);
+    let plain = fair(&[]);
+    for more in [
+        ["--normals", "fitted"],
+        ["--continuity", "g1"],
+        ["--target", "harmonic"],
+        ["--inner-fairness", "uniform"],
+        ["--interior-normals", "smooth"],
+        ["--discretization", "second-order"],
+        ["--intersections", "check"],
+        ["--solver", "fast"],
+    ] {
+        assert_eq!(fair(&more), plain, "{more:?}");
+    }
+    assert_eq!(fair(&["--continuity", "g2"]), fair(&["--continuity", "1"]));
 }
 
-/// A torus has no harmonic curvature: tangent planes alone leave a jump.
 #[test]
-fn curvature_is_continued_as_far_as_asked() {
-    let directory = directory("continuity");
-    let make = [
-        "generate",
-        "torus",
-        "-o",
-        "torus.obj",
-        "--vertices",
-        "600",
-        "--seed",
-        "7",
-    ];
-    let lists = [
-        "--triangulation",
-        "irregular",
-        "--free",
-        "free.txt",
-        "--normals",
-        "normals.txt",
-    ];
-    expect(&directory, &[&make[..], &lists].concat(), 0);
-    let fair = |asked: &[&str]| {
-        let args = [
-            "fair",
-            "torus.obj",
-            "-o",
-            "out.obj",
-            "--free",
-            "free.txt",
-            "--json",
-            "r.json",
-        ];
-        let (out, _) = expect(&directory, &[&args[..], asked].concat(), 0);
-        let json: serde_json::Value =
-            serde_json::from_slice(&fs::read(directory.join("r.json")).unwrap()).unwrap();
-        let loops = json["components"][0]["continuity"].as_array().unwrap().clone();
-        (fs::read(directory.join("out.obj")).unwrap(), loops, out)
-    };
-    let (tangent, loops, out) = fair(&[]);
-    assert!(loops.is_empty() && !out.contains("continuity"), "{out}");
-    for none in ["g1", "0"] {
-        assert_eq!(fair(&["--continuity", none]).0, tangent);
-    }
-    let (whole, loops, out) = fair(&["--continuity", "g2"]);
-    assert_eq!(fair(&["--continuity", "1"]).0, whole);
-    let [one] = &loops[..] else { panic!("{loops:?}") };
-    let figure = |of: &serde_json::Value, name: &str| of[name].as_f64().unwrap();
-    assert!(figure(one, "jump") < 0.4 * figure(one, "jump_before"), "{one}");
+fn continuity_is_told() {
+    let directory = prepared("continuity");
+    let args = ["fair", "cap.obj", "-o", "out.obj", "--free", "free.txt"];
+    let (out, _) = expect(&directory, &args, 0);
+    assert!(!out.contains("continuity"), "{out}");
+    let (out, _) = expect(&directory, &[&args[..], &["--continuity", "g2"]].concat(), 0);
     assert!(
-        figure(one, "reached") > 0.5 && figure(one, "vertices") > 30.0,
-        "{one}"
-    );
-    assert!(
-        figure(one, "largest_jump_before") > figure(one, "jump_before"),
-        "{one}"
-    );
-    let row = format!("  continuity:          loop of vertex {} and ", one["vertex"]);
-    assert!(
-        out.contains(&row) && out.contains(" reached, jump of H "),
+        out.contains("  continuity:          loop of vertex ") && out.contains(" reached, jump of H "),
         "{out}"
-    );
-    let (half, loops, _) = fair(&["--continuity", "0.5"]);
-    assert!(half != tangent && half != whole);
-    assert!(figure(&loops[0], "jump") > figure(one, "jump"));
-
-    let at = format!("{}=0.5", one["vertex"]);
-    assert_eq!(fair(&["--continuity-at", &at]).0, half);
-    assert_eq!(fair(&["--continuity", "g2", "--continuity-at", &at]).0, half);
-
-    let normals = fs::read_to_string(directory.join("normals.txt")).unwrap();
-    let rows = normals.lines().filter_map(|line| line.split_whitespace().next());
-    let given: String = rows.map(|v| format!("{v} -1.5 # all around\n")).collect();
-    fs::write(directory.join("h.txt"), given).unwrap();
-    let asked = ["--continuity", "0.5", "--boundary-curvature", "h.txt"];
-    let (given, loops, _) = fair(&asked);
-    assert!(given != half);
-    assert!((figure(&loops[0], "curvature") - 1.5).abs() < 1e-9, "{loops:?}");
-}
-
-#[test]
-fn threads_do_not_change_a_byte() {
-    let directory = prepared("threads");
-    for threads in ["1", "3"] {
-        let output = format!("out{threads}.obj");
-        expect(
-            &directory,
-            &[
-                "fair",
-                "cap.obj",
-                "-o",
-                &output,
-                "--free",
-                "free.txt",
-                "--threads",
-                threads,
-            ],
-            0,
-        );
-    }
-    assert_eq!(
-        fs::read(directory.join("out1.obj")).unwrap(),
-        fs::read(directory.join("out3.obj")).unwrap()
     );
 }
 
@@ -586,17 +458,8 @@ fn the_demo_names_a_command_that_a_shell_understands() {
 }
 
 #[test]
-fn flags_are_named_as_they_are_written() {
+fn loops_that_do_not_exist_are_named_with_what_lists_them() {
     let directory = prepared("flags");
-    let fair = [
-        "fair", "cap.obj", "-o", "x.obj", "--free", "free.txt", "--solver", "paper",
-    ];
-    let estimate = [&fair[..], &["--paper-estimate-iterations", "0"]].concat();
-    refused(
-        &directory,
-        &estimate,
-        "--paper-estimate-iterations 0: it must be at least 1",
-    );
     let fill = ["fill", "cap.obj", "-o", "x.obj", "--loop", "5"];
     refused(
         &directory,

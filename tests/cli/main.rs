@@ -1,6 +1,7 @@
 //! The program `fairmesh`: files byte for byte, texts and exit codes.
 #![allow(unreachable_pub, reason = "nothing of a test is reachable from outside")]
 
+mod answers;
 mod batch;
 mod bridge;
 mod commands;
