@@ -6,7 +6,7 @@ folder=$(realpath "$1")
 cd "$(dirname "$0")"
 tools=$(cd "${CARGO_TARGET_DIR:-../../target}/web/tools" && pwd)
 [ -e "$folder/node_modules/fairmesh/package.json" ] || { echo "$folder has no package fairmesh" >&2; exit 1; }
-cp tests/* "$folder"
+cp tests/* ../../tests/answers.json "$folder"
 ln -sfn "$tools/node_modules/@types" "$folder/node_modules/@types"
 cd "$folder"
 # In pages, and where only Node is known.
@@ -21,4 +21,4 @@ sed -n '/^```js$/,/^```$/p' node_modules/fairmesh/README.md | grep -v '^```' >re
 node readme.mjs >readme.log
 # shellcheck disable=SC2016
 sed -n '/^```text$/,/^```$/p' node_modules/fairmesh/README.md | grep -v '^```' | diff - readme.log
-node --test calls.test.mjs live.test.mjs runs.test.mjs worker.test.mjs
+node --test answers.test.mjs calls.test.mjs live.test.mjs runs.test.mjs worker.test.mjs

@@ -1,4 +1,4 @@
-/** Every call, by what is known of its answer. */
+/** Every call: what it takes and what it returns. The numbers are in answers.test.mjs. */
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -67,15 +67,9 @@ test("a report tells all of its components", () => {
     assert.equal(report.text, library.describe("outcome", "converged").text);
 });
 
-test("continuity, targets and given normals reach the solver", () => {
-    const saddle = sheets([{ shape: 1, reach: 1, dent: 0.2, side: 33 }]);
-    const g2 = library.fair(saddle, saddle.free, { continuity: "g2" });
-    assert.ok(g2.report.components[0].continuity.length === 1 && g2.report.components[0].continuity[0].reached > 0);
+test("normals and curvature in any way", () => {
     const flat = { ...sheets([{ shape: 1, reach: 1 }]) };
     for (let k = 2; k < flat.positions.length; k += 3) flat.positions[k] = 0;
-    const pushed = library.fair(flat, flat.free, { target: 10 });
-    const middle = 3 * 312 + 2;
-    assert.ok(pushed.positions[middle] > 0.001);
     const normals = new Float64Array(flat.positions.length).fill(NaN);
     const rim = library.fair(flat, flat.free).boundaryVertices;
     const tilted = [0.1, 0, Math.sqrt(0.99)];
@@ -84,12 +78,10 @@ test("continuity, targets and given normals reach the solver", () => {
     const vectors = Array.from(rim).flatMap(() => tilted);
     const listed = library.fair(flat, flat.free, { boundaryNormals: { vertices: rim, vectors } });
     assert.deepEqual(given.positions, listed.positions);
-    assert.deepEqual(Array.from(given.boundaryNormals.subarray(0, 3)), tilted);
-    const curvature = { vertices: rim, values: new Float64Array(rim.length).fill(-1) };
-    assert.notDeepEqual(
-        library.fair(flat, flat.free, { continuity: 1, boundaryCurvature: curvature }).positions,
-        library.fair(flat, flat.free, { continuity: 1, boundaryCurvature: curvature, loopContinuity: [[rim[0], 0]] }).positions,
-    );
+    const curvature = new Float64Array(flat.positions.length / 3).fill(NaN);
+    rim.forEach((v) => (curvature[v] = -1));
+    const by = (boundaryCurvature) => library.fair(flat, flat.free, { continuity: "g2", boundaryCurvature }).positions;
+    assert.deepEqual(by(curvature), by({ vertices: rim, values: new Float64Array(rim.length).fill(-1) }));
 });
 
 test("in steps it finds the same", () => {
@@ -123,23 +115,10 @@ test("holes are found and filled", () => {
     assert.ok(loops[at].hasRoughness && !loops[at].isRough);
     const filled = library.fillHoles(open);
     const done = filled.loops.find(({ loopIndex }) => loopIndex === at);
-    assert.equal(done.outcome, "faired");
     assert.ok(done.report.isSuccess && done.vertexCount === filled.newVertexCount && filled.newVertexCount > 10);
-    // A bowl of the fourth degree: the patch is near it, and below its rim.
-    assert.ok(filled.positions.subarray(open.positions.length).every((x, k) => k % 3 !== 2 || (x > -0.05 && x < 0.05)));
     assert.deepEqual(filled.positions.subarray(0, open.positions.length), open.positions);
     assert.deepEqual(filled.triangles.subarray(0, open.triangles.length), open.triangles);
     assert.equal(filled.parents.length, 3 * filled.newVertexCount);
-    assert.ok(filled.parentWeights.every((weight) => weight >= -1 && weight <= 2));
-    const left = filled.loops.find(({ loopIndex }) => loopIndex !== at);
-    assert.equal(left?.reason ?? "outer_boundary", "outer_boundary");
-    assert.equal(library.fillHoles(open, { maxEdges: 5 }).newVertexCount, 0);
-    assert.equal(library.fillHoles(open, { maxLength: 0 }).newVertexCount, 0);
-    assert.equal(library.fillHoles(open, { within: { centre: [9, 9, 9], radius: 1 } }).newVertexCount, 0);
-    assert.equal(library.fillHoles(open, { within: { low: [-1, -1, -1], high: [1, 1, 1] } }).newVertexCount, filled.newVertexCount);
-    assert.ok(library.fillHoles(open, { density: 2.8, fair: false }).newVertexCount > filled.newVertexCount);
-    assert.equal(library.fillHoles(open, { loops: [at] }).newVertexCount, filled.newVertexCount);
-    assert.equal(library.fillHoles(open, { exceptLongest: 1 }).newVertexCount, 0);
 });
 
 test("loops are joined, and a bridge is made", () => {
@@ -150,15 +129,7 @@ test("loops are joined, and a bridge is made", () => {
     assert.equal(found.gapKind, "gap");
     assert.deepEqual(Array.from(found.loops), inner);
     assert.ok(found.jointBend < found.separateBend);
-    const tube = library.fillHoles(two, { join: "auto", loops: inner });
-    assert.equal(tube.loops[0].gapKind, "gap");
-    assert.deepEqual(library.fillHoles(two, { join: [found.loops] }).positions, tube.positions);
-    assert.deepEqual(Array.from(new Set(library.components(tube))), [0]);
-    assert.deepEqual(tube.loops[0].loopIndices, found.loops);
-    // The same tube goes on between them.
-    for (let k = two.positions.length; k < tube.positions.length; k += 3) {
-        assert.ok(Math.abs(Math.hypot(tube.positions[k], tube.positions[k + 1]) - 1) < 0.01);
-    }
+    assert.equal(library.fillHoles(two, { join: "auto", loops: inner }).loops[0].gapKind, "gap");
 
     // Of each rim the vertices 0 to 4: the first ring of the upper tube, the last one of the lower.
     const chains = [0, 15].map((ring) => [0, 1, 2, 3, 4].map((i) => 32 * ring + i));
@@ -166,21 +137,13 @@ test("loops are joined, and a bridge is made", () => {
     assert.deepEqual(Array.from(strip.chains[0]).sort((a, b) => a - b), chains[0]);
     assert.ok(strip.newTriangleCount > 0 && strip.rest.length === 0 && strip.whole === null && strip.isClean);
     assert.ok(strip.sides[0].length > 0 && strip.sides[1].length > 0 && Math.abs(strip.twist) < 0.1);
-    const closed = library.bridge(two, chains[0], chains[1], { fill: true });
-    assert.ok(closed.rest.length === 1 && closed.whole.isSuccess);
+    assert.ok(library.bridge(two, chains[0], chains[1], { fill: true }).whole.isSuccess);
 });
 
-test("regions are chosen, erased, trimmed, refilled, remeshed and carried over", () => {
+test("regions are chosen, erased, trimmed and carried over", () => {
     const ball = library.selectBall(mesh, [0, 0, 0.9], 0.3);
     const count = ball.reduce((sum, is) => sum + is, 0);
     assert.ok(count > 50 && count < ball.length);
-    assert.ok(library.grow(mesh, ball, 2).reduce((sum, is) => sum + is, 0) > count);
-    assert.ok(library.shrink(mesh, ball).reduce((sum, is) => sum + is, 0) < count);
-    assert.ok(library.selectComponent(mesh, 0).every((is) => is === 1));
-    assert.ok(library.selectHalfspace(mesh, [0, 0, 9], [0, 0, 1]).every((is) => is === 0));
-    assert.ok(library.selectBox(mesh, [-1, -1, -1], [1, 1, 1]).every((is) => is === 1));
-    assert.ok(library.selectGeodesic(mesh, [0, 0, 1], 0.2).some((is) => is === 1));
-    assert.ok(library.selectPatch(mesh, 0).some((is) => is === 1));
     const both = library.selectRegion(mesh, [
         { kind: "all" },
         { kind: "ball", point: [0, 0, 0.9], value: 0.3, combine: "remove" },
@@ -200,13 +163,6 @@ test("regions are chosen, erased, trimmed, refilled, remeshed and carried over",
     assert.equal(carried.triangles.length, filled.newVertexCount);
     assert.ok(carried.triangles.every((triangle) => ball[triangle] === 1));
     assert.deepEqual(Array.from(library.carryOver(mesh, [NaN, 0, 0]).corners), [-1, -1, -1]);
-
-    const remeshed = library.remesh(mesh, mesh.free);
-    const faired = library.fair(remeshed, remeshed.freeVertices);
-    assert.equal(faired.outcome, "converged");
-    assert.ok(offSphere(faired.positions) < 1e-6);
-    const refilled = library.refill(mesh, mesh.free);
-    assert.equal(refilled.keptVertices.length + refilled.newVertexCount, refilled.positions.length / 3);
 });
 
 test("a bump is found, and told", () => {
