@@ -3,6 +3,9 @@
 use fairmesh_shapes::*;
 use std::collections::HashMap;
 
+#[macro_use]
+#[path = "common/asserts.rs"]
+mod asserts;
 #[path = "common/tier.rs"]
 mod tier;
 use tier::tier;
@@ -137,12 +140,10 @@ fn check(name: &str, s: &Shape, n: usize, euler: i64, loops: usize) {
         }
     }
     let boundary = s.boundary_normals();
-    assert!(
-        boundary
-            .iter()
-            .all(|(v, m)| !s.free[*v as usize] && *m == s.normals[*v as usize])
-    );
-    assert!(boundary.len() > 5 && s.free_vertices().len() == count);
+    assert_all!(boundary.iter(), |(v, _)| !s.free[*v as usize]);
+    assert_all!(boundary.iter(), |(v, m)| *m == s.normals[*v as usize]);
+    assert_above!(boundary.len(), 5);
+    assert_eq!(s.free_vertices().len(), count);
 }
 
 type Make = fn(usize, Sampling, usize) -> Shape;
@@ -261,7 +262,7 @@ fn wrong_starts_leave_the_fixed_vertices_alone() {
         let s = make(3_000, IRREGULAR, 2);
         for start in [s.flat(), s.noise(1, 0.5), s.random(1)] {
             let same = |v: &usize| start[*v] == s.positions[*v];
-            assert!((0..s.free.len()).filter(|&v| !s.free[v]).all(|v| same(&v)));
+            assert_all!((0..s.free.len()).filter(|&v| !s.free[v]), |v| same(&v));
             let far = (0..s.free.len())
                 .filter(|&v| s.free[v])
                 .map(|v| dot(sub(start[v], s.positions[v]), sub(start[v], s.positions[v])));
@@ -295,11 +296,11 @@ fn renumbering_and_placing() {
     let moved = s.transformed(&by);
     let surface = moved.surface.as_ref().unwrap();
     for (p, n) in moved.positions.iter().zip(&moved.normals) {
-        assert!(surface.distance(*p) < 2e-14);
+        assert_below!(surface.distance(*p), 2e-14);
         let off = std::array::from_fn(|i| p[i] + 0.3 * n[i]);
-        assert!((surface.signed_distance(off) - 0.3).abs() < 2e-14);
-        assert!((surface.mean_curvature(*p) + 1.0 / (1.7 * 3.0)).abs() < 1e-15);
-        assert!((by.apply(by.undo(*p))[0] - p[0]).abs() < 1e-14);
+        assert_near!(surface.signed_distance(off), 0.3, 2e-14);
+        assert_below!((surface.mean_curvature(*p) + 1.0 / (1.7 * 3.0)).abs(), 1e-15);
+        assert_near!(by.apply(by.undo(*p))[0], p[0], 1e-14);
     }
 }
 
@@ -365,7 +366,7 @@ fn what_is_no_revolution_is_refused() {
     // A sphere has a pole; with rings outside it is met before the surface ends.
     let along = std::f64::consts::FRAC_PI_2;
     let beyond = HarmonicProfile::new(along, -1.0, 0.0, 1.6);
-    assert!(matches!(beyond, Err(ProfileError::Axis(_))), "{beyond:?}");
+    assert_matches!(beyond, Err(ProfileError::Axis(_)));
     let profile = HarmonicProfile::new(along, -1.0, 0.0, 1.5).unwrap();
     assert!(revolution_band(&profile, 300, Sampling::Regular, 4).is_err());
     let nodoid = HarmonicProfile::new(along, 2.0, 0.0, 6.0);
@@ -384,12 +385,12 @@ fn arguments_out_of_range_are_moved_into_it() {
                     min: [x, -0.5],
                     max: [0.5, x],
                 };
-                assert!(cylinder_band(n, refined, 1).free_count() > 3);
+                assert_above!(cylinder_band(n, refined, 1).free_count(), 3);
                 assert!(Surface::Catenoid.distance([x; 3]).is_nan() == x.is_nan());
-                assert!(sphere_cap(x, n, sampling, 0).free_count() > 3);
-                assert!(sphere_with_hole(x, n, sampling, 0).free_count() > 3);
-                assert!(sphere_zone(x, x, n, sampling, 0).free_count() > 3);
-                assert!(unduloid_band(x, x, n, sampling, 1_000_000).free_count() > 3);
+                assert_above!(sphere_cap(x, n, sampling, 0).free_count(), 3);
+                assert_above!(sphere_with_hole(x, n, sampling, 0).free_count(), 3);
+                assert_above!(sphere_zone(x, x, n, sampling, 0).free_count(), 3);
+                assert_above!(unduloid_band(x, x, n, sampling, 1_000_000).free_count(), 3);
             }
         }
     }
@@ -407,8 +408,10 @@ fn check_blend(s: &Shape, vertices: usize, triangles: usize, circle: usize) {
             continue;
         }
         let radial: [f64; 3] = std::array::from_fn(|i| p[i] - BLEND_RADIUS * n[i]);
-        assert!((dot(n, n) - 1.0).abs() < 1e-15 && dot(n, radial).abs() < 1e-15);
-        assert!((dot(radial, radial).sqrt() - BLEND_DISTANCE).abs() < 1e-15 && radial[2] == 0.0);
+        assert_near!(dot(n, n), 1.0, 1e-15);
+        assert_below!(dot(n, radial).abs(), 1e-15);
+        assert_near!(dot(radial, radial).sqrt(), BLEND_DISTANCE, 1e-15);
+        assert_eq!(radial[2], 0.0);
     }
     let mut worst = 1.0f64;
     for t in &s.triangles {
@@ -468,7 +471,8 @@ fn the_blend_of_three_cylinders() {
     let s = cylinder_blend();
     check_blend(&s, 920, 1_746, 32);
     assert!(is_symmetric(&s, third_turn));
-    assert!(is_symmetric(&s, |p| [p[0], p[1], -p[2]]) && is_symmetric(&s, |p| [p[0], -p[1], p[2]]));
+    assert!(is_symmetric(&s, |p| [p[0], p[1], -p[2]]));
+    assert!(is_symmetric(&s, |p| [p[0], -p[1], p[2]]));
     assert_eq!(s.boundary_normals().len(), 96);
     assert_eq!(s.flat(), s.positions);
 }
@@ -493,7 +497,8 @@ fn the_blend_with_a_refined_patch() {
     let (whole, s) = (cylinder_blend(), cylinder_blend_refined_patch());
     let n = s.positions.len();
     check_blend(&s, n, 2 * (n + 1) - 96, 32);
-    assert!(n > 1_250 && s.positions[..920] == whole.positions[..]);
+    assert_above!(n, 1_250);
+    assert!(s.positions[..920] == whole.positions[..]);
     assert!(!is_symmetric(&s, third_turn));
     assert_eq!(s, cylinder_blend_refined_patch());
 }

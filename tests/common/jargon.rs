@@ -14,7 +14,10 @@ pub(crate) fn words_for_experts(root: &Path) -> Vec<String> {
         .flat_map(|cell| cell.split(", "))
         .map(|word| plain(word.trim()))
         .collect();
-    assert!(words.len() > 15 && words.contains(&"harmonic".to_owned()));
+    assert!(
+        words.len() > 15 && words.contains(&"harmonic".to_owned()),
+        "{words:?}"
+    );
     words
 }
 

@@ -160,7 +160,7 @@ fn given_normals_are_used() {
     assert_eq!(solution.boundary_normals.len(), given.len());
     for (used, given) in solution.boundary_normals.iter().zip(&given) {
         assert_eq!(used.0, given.0);
-        assert!(angle(&used.1, &given.1) < 1e-12);
+        assert_below!(angle(&used.1, &given.1), 1e-12);
     }
 }
 
@@ -178,7 +178,7 @@ fn partly_given_normals() {
         .enumerate()
     {
         if k % 2 == 0 {
-            assert!(angle(&used.1, &given[k / 2].1) < 1e-12);
+            assert_below!(angle(&used.1, &given[k / 2].1), 1e-12);
         } else {
             assert_eq!(used, fitted);
         }

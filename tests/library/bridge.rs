@@ -151,11 +151,7 @@ fn a_bridge_over_a_hole_of_a_sphere_lies_on_it_and_the_rest_is_filled() {
         assert!(together < 1e-8, "{together}");
         let left = boundary_loops(&filled.positions, &filled.triangles).unwrap();
         assert_eq!(left.len(), before.len() - 1);
-        assert!(
-            self_intersections(&filled.positions, &filled.triangles, None)
-                .unwrap()
-                .is_empty()
-        );
+        assert_empty!(self_intersections(&filled.positions, &filled.triangles, None).unwrap());
     }
 }
 
@@ -168,7 +164,7 @@ fn a_bridge_relaxes_no_boundary() {
     relaxing.filling.rim.relax = 3;
     let [one, other] = [asked, relaxing].map(|options| run(&mesh, [&[a], &[b]], &options));
     assert_eq!(other.positions, one.positions);
-    assert!(other.rest.iter().all(|report| report.rim.is_none()));
+    assert_all!(other.rest.iter(), |report| report.rim.is_none());
 }
 
 #[test]
@@ -205,7 +201,7 @@ fn a_bridge_in_a_plane_stays_in_it() {
         let new = &bridged.positions[mesh.0.len()..];
         let height = new.iter().map(|p| p[2].abs()).fold(0.0, f64::max);
         assert!(height < 1e-14, "{name}: {height}");
-        assert!(bridged.twist.abs() < 1e-9);
+        assert_below!(bridged.twist.abs(), 1e-9);
         if name == "ends" {
             // It goes on from both plates.
             let aside = new.iter().map(|p| (p[1] - 0.05).abs()).fold(0.0, f64::max);
@@ -285,7 +281,8 @@ fn parallel_plates_get_a_round_edge_unless_they_face_the_same_way() {
         panic!("{:?}", refused.strip.outcome);
     };
     assert_eq!((refused.positions, refused.triangles), mesh);
-    assert!(refused.parents.is_empty() && refused.sides[0].is_empty());
+    assert_empty!(refused.parents);
+    assert_empty!(refused.sides[0]);
 }
 
 #[test]

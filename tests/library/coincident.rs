@@ -1,6 +1,6 @@
 //! Meshes whose vertices have several numbers: soups, seams, split normals. They end as the joined mesh does, to the last bit.
 
-use crate::fairing::{flat, irregular, options, solve_given, vector};
+use crate::fairing::{assert_success, flat, irregular, options, solve_given, vector};
 use fairmesh::{
     BoundaryCurvature, BoundaryLoop, BoundaryNormals, Coincident, Error, FillOptions, InnerFairness, Options,
     RemeshOptions, Selection, Session, Solution, Target, boundary_loops, boundary_loops_joined, fair,
@@ -100,18 +100,18 @@ fn a_dented_sphere_with_a_seam_or_as_a_soup_ends_as_the_joined_one() {
         ..options(1e-8)
     };
     let joined = fair(&start, &cap.triangles, Selection::Mask(&cap.free), &asked).unwrap();
-    assert!(joined.report.outcome.is_success());
+    assert_success(&joined.report.outcome);
     for split in [
         split(&start, &cap.triangles, by_side(&cap)),
         split(&start, &cap.triangles, |t| t),
     ] {
-        assert!(split.positions.len() > start.len());
+        assert_above!(split.positions.len(), start.len());
         let mask = split.each(&cap.free);
         let theirs = fair(&split.positions, &split.triangles, Selection::Mask(&mask), &asked).unwrap();
         assert_same(&split, &theirs, &joined);
         // Fixed copies have their bits.
         let fixed = (0..mask.len()).filter(|&v| !mask[v]);
-        assert!(fixed.clone().count() > 10);
+        assert_above!(fixed.clone().count(), 10);
         fixed.for_each(|v| assert_eq!(theirs.positions[v], split.positions[v]));
 
         let separate = Options {
@@ -124,10 +124,7 @@ fn a_dented_sphere_with_a_seam_or_as_a_soup_ends_as_the_joined_one() {
             Selection::Mask(&mask),
             &separate,
         );
-        assert!(
-            matches!(refused, Err(Error::FreeVertexOnBoundary { .. })),
-            "{refused:?}"
-        );
+        assert_matches!(refused, Err(Error::FreeVertexOnBoundary { .. }));
     }
 }
 
@@ -204,7 +201,7 @@ fn zero_with_a_sign_is_zero_and_nan_is_refused_as_ever() {
     );
     split.positions[fixed][0] = f64::NAN;
     let loops = boundary_loops(&split.positions, &split.triangles).unwrap();
-    assert!(loops.len() > 1);
+    assert_above!(loops.len(), 1);
     let vertex = split.of.iter().position(|&v| cap.free[v as usize]).unwrap();
     split.positions[vertex][1] = f64::NAN;
     let refused = fair(
@@ -344,13 +341,10 @@ fn copies_at_a_distance() {
     };
     let selection = Selection::Mask(&mask);
     let refused = fair(&near, &split.triangles, selection, &within(0.0));
-    assert!(
-        matches!(refused, Err(Error::FreeVertexOnBoundary { .. })),
-        "{refused:?}"
-    );
+    assert_matches!(refused, Err(Error::FreeVertexOnBoundary { .. }));
     let joined = fair(&start, &cap.triangles, Selection::Mask(&cap.free), &within(0.0)).unwrap();
     let theirs = fair(&near, &split.triangles, selection, &within(1e-7)).unwrap();
-    assert!(theirs.report.outcome.is_success());
+    assert_success(&theirs.report.outcome);
     assert_eq!(theirs.report.free_vertices, joined.report.free_vertices);
     for v in 0..mask.len() {
         if mask[v] {
@@ -364,20 +358,17 @@ fn copies_at_a_distance() {
     }
     for wrong in [-1.0, f64::NAN, f64::INFINITY] {
         let refused = fair(&near, &split.triangles, selection, &within(wrong)).unwrap_err();
-        assert!(
-            matches!(
-                refused,
-                Error::BadOption {
-                    name: "coincident_within",
-                    ..
-                }
-            ),
-            "{refused:?}"
+        assert_matches!(
+            refused,
+            Error::BadOption {
+                name: "coincident_within",
+                ..
+            }
         );
     }
     // More than the edges are long: nothing can be told apart, and nothing is joined.
     let loops = boundary_loops_joined(&near, &split.triangles, Coincident::Join { within: 100.0 }).unwrap();
-    assert!(loops.len() > 100);
+    assert_above!(loops.len(), 100);
 }
 
 #[test]
@@ -480,7 +471,7 @@ fn a_loop_is_named_by_any_copy() {
     };
     let whole = solved(&asked(1.0, Vec::new())).unwrap();
     let one = solved(&asked(0.0, vec![(last_copy(on), 1.0)])).unwrap();
-    assert!(one.positions == whole.positions);
+    assert_same_items!(one.positions, whole.positions);
     let inside = last_copy(cap.free_vertices()[3]);
     let named = Error::NotOnLoop {
         vertex: inside as usize,
@@ -492,7 +483,7 @@ fn a_loop_is_named_by_any_copy() {
     assert_eq!(session.set_continuity(0.0, &[(inside, 1.0)]), Err(named));
     session.set_continuity(0.0, &[(last_copy(on), 1.0)]).unwrap();
     session.run(1000, None).unwrap();
-    assert!(session.solution().positions == whole.positions);
+    assert_same_items!(session.solution().positions, whole.positions);
 }
 
 /// Fairs the dented sphere, split as it may be, with normals that are given.
@@ -547,7 +538,7 @@ fn normals_of_copies_are_averaged_and_refused_where_they_cancel() {
     let solution = solve(tilted(-0.4)).unwrap();
     let mut used = solution.boundary_normals.iter();
     let used = used.find(|entry| entry.0 == vertex + 1).unwrap();
-    assert!((vector(&used.1) - n).norm() < 1e-12);
+    assert_below!((vector(&used.1) - n).norm(), 1e-12);
 
     let vertex = vertex as usize;
     let opposite = solve(tilted(-2.0)).unwrap_err();
@@ -645,7 +636,7 @@ fn the_hole_of_a_soup_is_filled_as_that_of_the_joined_mesh() {
     assert_eq!(theirs.triangles[..split.triangles.len()], split.triangles);
     assert_eq!(theirs.positions[..split.positions.len()], split.positions);
     let (old, known) = (split.positions.len(), shape.positions.len());
-    assert!(joined.positions.len() > known);
+    assert_above!(joined.positions.len(), known);
     assert_eq!(bits(&theirs.positions[old..]), bits(&joined.positions[known..]));
     let before = |v: u32| match (v as usize).checked_sub(old) {
         None => split.of[v as usize],
@@ -654,11 +645,7 @@ fn the_hole_of_a_soup_is_filled_as_that_of_the_joined_mesh() {
     let renamed: Vec<[u32; 3]> = theirs.triangles.iter().map(|t| t.map(before)).collect();
     assert_eq!(renamed, joined.triangles);
     assert_eq!(theirs.loops[0].outcome, joined.loops[0].outcome);
-    assert!(
-        boundary_loops(&theirs.positions, &theirs.triangles)
-            .unwrap()
-            .is_empty()
-    );
+    assert_empty!(boundary_loops(&theirs.positions, &theirs.triangles).unwrap());
     for (a, b) in theirs.parents.iter().zip(&joined.parents) {
         assert_eq!((a.vertices.map(before), a.weights), (b.vertices, b.weights));
     }
@@ -691,7 +678,7 @@ fn a_region_of_a_soup_is_remeshed_as_that_of_the_joined_mesh() {
         .iter()
         .flatten()
         .for_each(|&v| used[v as usize] = true);
-    assert!(used.iter().all(|u| *u));
+    assert_all!(used.iter(), |u| *u);
     let loops = boundary_loops(&theirs.positions, &theirs.triangles)
         .unwrap()
         .len();

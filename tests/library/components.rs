@@ -105,7 +105,7 @@ impl Case {
         assert_eq!(component.outcome, alone.report.outcome);
         assert_eq!(component.iterations, alone.report.iterations);
         for &(v, n) in &alone.boundary_normals {
-            assert!(together.boundary_normals.contains(&(v, n)));
+            assert_contains!(together.boundary_normals, &(v, n));
         }
     }
 }
@@ -154,7 +154,8 @@ fn sizes_and_distances_of_others_do_not_matter() {
         let report = &together.report;
         assert_eq!(report.outcome, Outcome::Converged);
         for component in &report.components {
-            assert!(component.outcome.is_success() && component.step < TOLERANCE);
+            assert_success(&component.outcome);
+            assert_below!(component.step, TOLERANCE);
         }
         let most = report.components.iter().map(|c| c.iterations).max();
         assert_eq!(Some(report.iterations), most);
@@ -162,7 +163,7 @@ fn sizes_and_distances_of_others_do_not_matter() {
         assert_eq!(free, case.components.iter().map(Vec::len).collect::<Vec<_>>());
         assert_eq!(report.free_vertices, free.iter().sum::<usize>());
         let [first, small, far] = [0, 1, 2].map(|k| &report.components[k]);
-        assert!((small.diagonal / first.diagonal / 1e-4 - 1.0).abs() < 0.01);
+        assert_near!(small.diagonal / first.diagonal / 1e-4, 1.0, 0.01);
         assert!(far.diagonal < 10.0, "{}", far.diagonal);
         let worst = report.components.iter().map(|c| c.quality.worst_angle);
         assert_eq!(report.quality.worst_angle, worst.fold(f64::INFINITY, f64::min));
@@ -189,7 +190,9 @@ fn a_component_that_fails_spoils_no_other() {
         ..options(TOLERANCE)
     };
     let [a, b] = [0, 1].map(|k| case.fair(&case.components[k], &options(TOLERANCE)).report);
-    assert!(a.outcome.is_success() && b.outcome.is_success() && a.iterations != b.iterations);
+    assert_success(&a.outcome);
+    assert_success(&b.outcome);
+    assert_ne!(a.iterations, b.iterations);
     let together = case.assert_independent(&limited(a.iterations.min(b.iterations)));
     assert_eq!(together.report.outcome, Outcome::IterationLimit);
     let succeeded = together
@@ -209,7 +212,8 @@ fn a_component_that_fails_spoils_no_other() {
         ..options(TOLERANCE)
     });
     let components = &together.report.components;
-    assert!(components[0].outcome.is_success() && !components[1].outcome.is_success());
+    assert_success(&components[0].outcome);
+    assert!(!components[1].outcome.is_success(), "{:?}", components[1].outcome);
     assert_eq!(together.report.outcome, components[1].outcome);
     assert_eq!(together.report.linear_surface, components[1].linear_surface);
 }
@@ -243,8 +247,9 @@ fn a_thousand_tiny_components() {
     for k in (0..1024).step_by(61) {
         case.assert_as_alone(&together, k, &options(TOLERANCE));
     }
-    assert!(fractions.is_sorted() && fractions.iter().all(|f| (0.0..=1.0).contains(f)));
-    assert!(fractions.last().is_some_and(|f| *f > 0.99));
+    assert!(fractions.is_sorted(), "{fractions:?}");
+    assert_all!(fractions.iter(), |f| (0.0..=1.0).contains(f));
+    assert!(fractions.last().is_some_and(|f| *f > 0.99), "{fractions:?}");
     fractions.dedup();
     assert!(fractions.len() <= 1001, "{}", fractions.len());
 }
@@ -261,7 +266,11 @@ fn components_with_a_common_boundary_vertex() {
         .filter(|(v, _)| *v == 14 * 6 + 6)
         .collect();
     assert_eq!(common.len(), 2);
-    assert!(together.boundary_normals.is_sorted_by_key(|(v, _)| *v));
+    assert!(
+        together.boundary_normals.is_sorted_by_key(|(v, _)| *v),
+        "{:?}",
+        together.boundary_normals
+    );
     let averaged = Options {
         boundary_normals: BoundaryNormals::Averaged,
         ..options(TOLERANCE)
@@ -317,11 +326,11 @@ fn steps_give_the_bits_of_one_call_for_each_component() {
         let mut runs = 0;
         while session.run(by, None).unwrap().report.outcome == Outcome::IterationLimit {
             runs += 1;
-            assert!(session.solution().report.iterations <= runs * by);
+            assert_at_most!(session.solution().report.iterations, runs * by);
         }
-        assert!(runs + 1 >= whole.report.iterations / by);
+        assert_at_least!(runs + 1, whole.report.iterations / by);
         let found = session.solution();
-        assert!(found.positions == whole.positions);
+        assert_same_items!(found.positions, whole.positions);
         let of = |solution: &Solution| solution.report.components.iter().map(told).collect::<Vec<_>>();
         assert_eq!(of(found), of(&whole));
     }
@@ -342,10 +351,10 @@ fn a_session_divides_and_unites_its_components() {
         boundary_normals: given,
         ..options(TOLERANCE)
     };
-    assert!(divided.positions == case.fair(&free, &asked).positions);
+    assert_same_items!(divided.positions, case.fair(&free, &asked).positions);
     session.set_boundary_normals(BoundaryNormals::Fitted).unwrap();
     let united = session.run(500, None).unwrap();
-    assert!(united.positions == case.fair(&free, &options(TOLERANCE)).positions);
+    assert_same_items!(united.positions, case.fair(&free, &options(TOLERANCE)).positions);
 }
 
 #[test]
@@ -356,7 +365,7 @@ fn the_order_of_the_selection_does_not_matter() {
     free.reverse();
     free.extend_from_slice(&case.components[1]);
     let again = case.fair(&free, &options(TOLERANCE));
-    assert!(again.positions == whole.positions);
+    assert_same_items!(again.positions, whole.positions);
     assert_eq!(again.mean_curvature, whole.mean_curvature);
     assert_eq!(again.report.components, whole.report.components);
 }
@@ -439,7 +448,7 @@ fn a_session_that_is_stopped_leaves_the_others_where_they_are() {
     let iterations: Vec<usize> = held.report.components.iter().map(|c| c.iterations).collect();
     assert_eq!(iterations, [1, 0, 0]);
     let whole = case.fair(&free, &options(TOLERANCE));
-    assert!(session.run(500, None).unwrap().positions == whole.positions);
+    assert_same_items!(session.run(500, None).unwrap().positions, whole.positions);
 }
 
 #[test]
@@ -515,12 +524,13 @@ fn curvature_is_continued_component_by_component() {
         ..options(TOLERANCE)
     };
     let solution = case.assert_independent(&asked);
-    assert!(solution.report.outcome.is_success());
+    assert_success(&solution.report.outcome);
     for (component, least) in solution.report.components.iter().zip([0.5, 0.5, 0.0]) {
         let [of_loop] = component.continuity[..] else {
             panic!("one loop each")
         };
-        assert!(of_loop.reached >= least && of_loop.jump <= of_loop.jump_before);
+        assert_at_least!(of_loop.reached, least);
+        assert_at_most!(of_loop.jump, of_loop.jump_before);
     }
     // A number for one loop concerns its component alone.
     let vertex = solution.report.components[1].continuity[0].vertex as u32;

@@ -47,10 +47,10 @@ fn band(n: usize) -> Shape {
 fn spheres_are_exact() {
     let shape = sphere_cap(60.0, 1_000, irregular(7), 10);
     let solution = faired(&shape, &asked(1.0));
-    assert!(solution.report.outcome.is_success());
-    assert!(error(&shape, &solution) < 1e-9);
+    assert_success(&solution.report.outcome);
+    assert_below!(error(&shape, &solution), 1e-9);
     assert_eq!(loops(&solution).len(), 1);
-    assert!(loops(&solution)[0].jump < 1e-6);
+    assert_below!(loops(&solution)[0].jump, 1e-6);
 }
 
 /// The bits of tangent continuity, and nothing told of curvature.
@@ -63,8 +63,8 @@ fn zero_is_tangent_continuity() {
         ..asked(0.0)
     };
     let solution = faired(&shape, &options);
-    assert!(solution.positions == faired(&shape, &Options::default()).positions);
-    assert!(loops(&solution).is_empty());
+    assert_same_items!(solution.positions, faired(&shape, &Options::default()).positions);
+    assert_empty!(loops(&solution));
 }
 
 #[test]
@@ -126,12 +126,13 @@ fn the_blend_acts_monotonically_on_the_jump() {
         .map(|blend| loops(&faired(&shape, &asked(blend)))[0].jump)
         .to_vec();
     println!("{jumps:?}");
-    assert!(jumps.is_sorted_by(|a, b| a > b));
+    assert!(jumps.is_sorted_by(|a, b| a > b), "{jumps:?}");
     let whole = faired(&shape, &asked(1.0));
     let [of_loop] = loops(&whole) else {
         panic!("one loop")
     };
-    assert!(of_loop.reached > 0.8 && of_loop.jump < 0.3 * of_loop.jump_before);
+    assert_above!(of_loop.reached, 0.8);
+    assert_below!(of_loop.jump, 0.3 * of_loop.jump_before);
 }
 
 /// The exact curvature, given, does what the fitted one does.
@@ -149,7 +150,7 @@ fn curvature_can_be_given() {
     let tangent = error(&shape, &faired(&shape, &asked(0.0)));
     let given = error(&shape, &faired(&shape, &options));
     println!("{given:e} {tangent:e}");
-    assert!(given < 0.2 * tangent);
+    assert_below!(given, 0.2 * tangent);
 }
 
 #[test]
@@ -165,7 +166,8 @@ fn no_number_of_threads_changes_a_bit() {
         )
     };
     let (one, two) = (by(1), by(2));
-    assert!(one.positions == two.positions && loops(&one) == loops(&two));
+    assert_same_items!(one.positions, two.positions);
+    assert_eq!(loops(&one), loops(&two));
 }
 
 #[test]
@@ -215,8 +217,8 @@ fn motions_and_units_do_not_matter() {
                 1e-11 * scale,
             );
             for (a, b) in loops(&before).iter().zip(loops(&moved)) {
-                assert!((a.jump - scale * b.jump).abs() < 1e-6 * a.jump_before);
-                assert!((a.reached - b.reached).abs() < 1e-9);
+                assert_near!(a.jump, scale * b.jump, 1e-6 * a.jump_before);
+                assert_near!(a.reached, b.reached, 1e-9);
             }
         }
     }

@@ -63,26 +63,32 @@ fn each_loop_has_its_own_number() {
     assert_eq!(at.len(), 2);
     // A number for each loop is that for all.
     let each = faired(&shape, &with_loops(0.0, vec![(at[0], 1.0), (at[1], 1.0)]));
-    assert!(each.positions == whole.positions && loops(&each) == loops(&whole));
+    assert_same_items!(each.positions, whole.positions);
+    assert_eq!(loops(&each), loops(&whole));
     // Of several numbers for a loop the last one holds.
     let repeated = vec![(at[0], 0.3), (at[1], 0.2), (at[0], 1.0)];
     let repeated = faired(&shape, &with_loops(0.7, repeated));
-    assert!(repeated.positions == faired(&shape, &with_loops(1.0, vec![(at[1], 0.2)])).positions);
+    assert_same_items!(
+        repeated.positions,
+        faired(&shape, &with_loops(1.0, vec![(at[1], 0.2)])).positions
+    );
     // One alone.
     for k in 0..2 {
         let one = faired(&shape, &with_loops(0.0, vec![(at[k], 1.0)]));
-        assert!(one.report.outcome.is_success());
+        assert_success(&one.report.outcome);
         let told = loops(&one);
         println!("{told:?}");
         assert_eq!(told.len(), 1);
         assert_eq!(told[0].vertex, at[k] as usize);
-        assert!(told[0].reached > 0.5 && told[0].jump < 0.5 * told[0].jump_before);
+        assert_above!(told[0].reached, 0.5);
+        assert_below!(told[0].jump, 0.5 * told[0].jump_before);
         let off = with_loops(1.0, vec![(at[1 - k], 0.0)]);
-        assert!(faired(&shape, &off).positions == one.positions);
+        assert_same_items!(faired(&shape, &off).positions, one.positions);
     }
     // Nothing anywhere.
     let none = faired(&shape, &with_loops(1.0, vec![(at[0], 0.0), (at[1], 0.0)]));
-    assert!(none.positions == faired(&shape, &asked(0.0)).positions && loops(&none).is_empty());
+    assert_same_items!(none.positions, faired(&shape, &asked(0.0)).positions);
+    assert_empty!(loops(&none));
 }
 
 #[test]
@@ -102,13 +108,13 @@ fn loops_that_are_not_there_are_named() {
         assert_eq!(refused(vec![(on, 1.0), (vertex, 0.5)]), named);
     }
     for blend in [-0.1, 1.1, f64::NAN] {
-        assert!(matches!(
+        assert_matches!(
             refused(vec![(on, blend)]),
             Error::BadOption {
                 name: "loop_continuity",
                 ..
             }
-        ));
+        );
     }
 }
 
@@ -119,9 +125,10 @@ fn points_inside_are_passed_smoothly() {
     let without = errors(&ellipsoid(2_000), &faired(&ellipsoid(2_000), &asked(0.0))).rms;
     let mut shape = ellipsoid(2_000);
     let inside = fix(&mut shape, |v, p| v % 97 == 0 && p.z > 0.45);
-    assert!(inside.len() > 3);
+    assert_above!(inside.len(), 3);
     let [tangent, curved] = [0.0, 1.0].map(|c| faired(&shape, &asked(c)));
-    assert!(tangent.report.outcome.is_success() && curved.report.outcome.is_success());
+    assert_success(&tangent.report.outcome);
+    assert_success(&curved.report.outcome);
     let [before, after] = [&tangent, &curved].map(|s| errors(&shape, s).rms);
     println!(
         "{} points: {without:e} without, {before:e} -> {after:e}",
@@ -132,8 +139,9 @@ fn points_inside_are_passed_smoothly() {
     let told = loops(&curved);
     println!("{told:?}");
     assert_eq!(told.len(), 1);
-    assert!(told[0].jump < 0.4 * told[0].jump_before);
-    assert!(after < 0.5 * before && before < without);
+    assert_below!(told[0].jump, 0.4 * told[0].jump_before);
+    assert_below!(after, 0.5 * before);
+    assert_below!(before, without);
 }
 
 /// The vertices of a closed curve of edges between what lies above a plane and what does not.
@@ -163,16 +171,18 @@ fn fix_curve(shape: &mut Shape, z: f64) -> Vec<u32> {
 fn curves_inside_are_passed_smoothly() {
     let mut shape = ellipsoid(2_000);
     let inside = fix_curve(&mut shape, 0.52);
-    assert!(inside.len() > 20);
+    assert_above!(inside.len(), 20);
     let [tangent, curved] = [0.0, 1.0].map(|c| faired(&shape, &asked(c)));
-    assert!(tangent.report.outcome.is_success() && curved.report.outcome.is_success());
+    assert_success(&tangent.report.outcome);
+    assert_success(&curved.report.outcome);
     let [before, after] = [&tangent, &curved].map(|s| errors(&shape, s).rms);
     println!("{} on the curve: {before:e} -> {after:e}", inside.len());
     let told = loops(&curved);
     println!("{told:?}");
     assert_eq!(told.len(), 1);
     // The curve tells the surface nearly all: what is left is the discretization's error.
-    assert!(told[0].jump < 0.4 * told[0].jump_before && after < 1.1 * before);
+    assert_below!(told[0].jump, 0.4 * told[0].jump_before);
+    assert_below!(after, 1.1 * before);
 }
 
 /// Fixes the vertices so many edges from the middle of a patch of a torus: a hexagon of edges.
@@ -209,12 +219,12 @@ fn sides_of_a_closed_curve_have_curvatures_of_their_own() {
         ..asked(continuity)
     };
     let solution = faired(&shape, &fitted(1.0));
-    assert!(solution.report.outcome.is_success());
+    assert_success(&solution.report.outcome);
     assert_eq!(solution.report.components.len(), 2);
     let told = loops(&solution);
     println!("{told:?}");
     assert_eq!(told.len(), 1, "the loop beside fixed surroundings alone");
-    assert!(!inside.contains(&(told[0].vertex as u32)));
+    assert!(!inside.contains(&(told[0].vertex as u32)), "{told:?}");
 
     let surface = shape.surface.as_ref().unwrap();
     let curvature = |v: u32| surface.mean_curvature(shape.positions[v as usize]);
@@ -224,7 +234,7 @@ fn sides_of_a_closed_curve_have_curvatures_of_their_own() {
         ..fitted(1.0)
     };
     let continued = faired(&shape, &given);
-    assert!(continued.report.outcome.is_success());
+    assert_success(&continued.report.outcome);
     let told = loops(&continued);
     println!("{told:?}");
     assert_eq!(told.len(), 3, "both sides of the curve, and around");
@@ -234,9 +244,10 @@ fn sides_of_a_closed_curve_have_curvatures_of_their_own() {
     // Its corners point into the outer side, where five modes do not resolve them: that side stays as it is.
     let sides = told.iter().filter(|l| inside.contains(&(l.vertex as u32)));
     assert_eq!(sides.clone().count(), 2);
-    assert!(sides.clone().all(|l| l.reached == 0.0 || l.jump < l.jump_before));
-    assert!(sides.clone().any(|l| l.jump < 0.2 * l.jump_before));
-    assert!(after < 0.1 * tangent && before < 0.1 * tangent);
+    assert_all!(sides.clone(), |l| l.reached == 0.0 || l.jump < l.jump_before);
+    assert!(sides.clone().any(|l| l.jump < 0.2 * l.jump_before), "{told:?}");
+    assert_below!(after, 0.1 * tangent);
+    assert_below!(before, 0.1 * tangent);
 
     // A number for a loop of the curve holds for both sides.
     let of_curve = Options {
@@ -269,10 +280,10 @@ fn a_constant_target_is_taken_up() {
     let constant = Target::Constant(0.6);
     let [g1, g2] = [0.0, 1.0].map(|c| apart(&of(Target::Harmonic, c), &of(constant, c)));
     println!("{g1:e} {g2:e}");
-    assert!(g2 < 0.1 * g1);
+    assert_below!(g2, 0.1 * g1);
     let told = loops(&of(Target::MinimalEnergy, 1.0));
     println!("{told:?}");
-    assert!(told[0].jump < 0.4 * told[0].jump_before);
+    assert_below!(told[0].jump, 0.4 * told[0].jump_before);
 }
 
 /// Two components on one surface, with a row of fixed vertices between: there the other one is no surroundings to go by.
@@ -280,14 +291,15 @@ fn a_constant_target_is_taken_up() {
 fn what_moves_is_no_surroundings() {
     let mut shape = ellipsoid(2_000);
     let between = fix(&mut shape, |_, p| p.x.abs() < 0.08);
-    assert!(between.len() > 40);
+    assert_above!(between.len(), 40);
     let [tangent, curved] = [0.0, 1.0].map(|c| faired(&shape, &asked(c)));
-    assert!(tangent.report.outcome.is_success() && curved.report.outcome.is_success());
+    assert_success(&tangent.report.outcome);
+    assert_success(&curved.report.outcome);
     assert_eq!(curved.report.components.len(), 2);
     let [before, after] = [&tangent, &curved].map(|s| errors(&shape, s).rms);
     println!("{before:e} -> {after:e} {:?}", loops(&curved));
-    assert!(after < 1.2 * before);
-    assert!(loops(&curved).iter().all(|l| l.jump <= l.jump_before));
+    assert_below!(after, 1.2 * before);
+    assert_all!(loops(&curved).iter(), |l| l.jump <= l.jump_before);
 }
 
 /// An ellipsoid with a hole, filled.
@@ -323,17 +335,14 @@ fn a_hole_is_filled_with_the_curvature_around() {
         let told: Vec<_> = told.collect();
         println!("{continuity}: {:e} {told:?}", errors.last().unwrap());
         assert_eq!(told.len(), usize::from(continuity > 0.0));
-        assert!(
-            told.iter()
-                .all(|l| l.reached > 0.5 && l.jump < 0.4 * l.jump_before)
-        );
+        assert_all!(told.iter(), |l| l.reached > 0.5 && l.jump < 0.4 * l.jump_before);
     }
     assert!(errors[1] < 0.4 * errors[0], "{errors:?}");
 
     // The number of the loop is what is asked of it.
     let on = holes[hole.unwrap()].vertices[4];
     let by_loop = filled(with_loops(0.0, vec![(on, 1.0)])).unwrap();
-    assert!(by_loop.positions == filled(asked(1.0)).unwrap().positions);
+    assert_same_items!(by_loop.positions, filled(asked(1.0)).unwrap().positions);
     let far = *triangles[0]
         .iter()
         .find(|v| !holes[hole.unwrap()].vertices.contains(v))
@@ -361,15 +370,16 @@ fn a_session_takes_continuity_anew() {
     let selection = Selection::Mask(&shape.free);
     let mut session = Session::new(&shape.positions, &shape.triangles, selection, &asked(0.0)).unwrap();
     let tangent = to_end(&mut session);
-    assert!(tangent.positions == at(0.0).positions);
+    assert_same_items!(tangent.positions, at(0.0).positions);
     let same = |session: &mut Session, fresh: &Solution| {
         let found = to_end(session);
         assert_eq!(found.report.outcome, fresh.report.outcome);
         let off = apart(&found, fresh);
         println!("{off:e}, {} iterations", found.report.iterations);
-        assert!(off < 30.0 * TOLERANCE);
+        assert_below!(off, 30.0 * TOLERANCE);
         for (a, b) in loops(&found).iter().zip(loops(fresh)) {
-            assert!((a.jump - b.jump).abs() < 1e-4 * b.jump_before && (a.reached - b.reached).abs() < 1e-4);
+            assert_near!(a.jump, b.jump, 1e-4 * b.jump_before);
+            assert_near!(a.reached, b.reached, 1e-4);
         }
         assert_eq!(loops(&found).len(), loops(fresh).len());
     };
@@ -393,13 +403,13 @@ fn a_session_takes_continuity_anew() {
     };
     same(&mut session, &faired(&shape, &fresh));
     // Wrong ones change nothing.
-    assert!(matches!(
+    assert_matches!(
         session.set_continuity(1.5, &[]),
         Err(Error::BadOption {
             name: "continuity",
             ..
         })
-    ));
+    );
     let inside = shape.free_vertices()[0];
     let named = Error::NotOnLoop {
         vertex: inside as usize,
@@ -424,7 +434,8 @@ fn a_session_with_continuity_has_the_bits_of_one_call() {
     let selection = Selection::Mask(&shape.free);
     let mut session = Session::new(&shape.positions, &shape.triangles, selection, &asked(1.0)).unwrap();
     let found = to_end(&mut session);
-    assert!(found.positions == whole.positions && loops(&found) == loops(&whole));
+    assert_same_items!(found.positions, whole.positions);
+    assert_eq!(loops(&found), loops(&whole));
 }
 
 /// Half a globe, of meridians and parallels.
@@ -462,13 +473,17 @@ fn more_asked_is_no_less_reached() {
     let shape = globe(64, 12);
     let told = [0.2, 0.4, 0.6, 0.8, 1.0].map(|blend| {
         let solution = faired(&shape, &asked(blend));
-        assert!(solution.report.outcome.is_success());
+        assert_success(&solution.report.outcome);
         loops(&solution)[0]
     });
     let reached = told.map(|l| l.reached);
     println!("{reached:?} {:?}", told.map(|l| l.jump));
-    assert!(told.map(|l| l.jump).is_sorted_by(|a, b| *b <= 1.01 * a));
-    assert!(reached.is_sorted_by(|a, b| *b >= 0.98 * a) && reached[4] > 0.15);
+    assert!(
+        told.map(|l| l.jump).is_sorted_by(|a, b| *b <= 1.01 * a),
+        "{told:?}"
+    );
+    assert!(reached.is_sorted_by(|a, b| *b >= 0.98 * a), "{reached:?}");
+    assert_above!(reached[4], 0.15);
 }
 
 /// Points of a surface that solves the equation leave it a solution.
@@ -477,8 +492,9 @@ fn bands_pass_points_of_their_own() {
     let plain = errors(&band(2_000), &faired(&band(2_000), &asked(1.0))).rms;
     let mut shape = band(2_000);
     let inside = fix(&mut shape, |v, _| v % 211 == 3);
-    assert!(inside.len() > 5);
+    assert_above!(inside.len(), 5);
     let [tangent, curved] = [0.0, 1.0].map(|c| errors(&shape, &faired(&shape, &asked(c))).rms);
     println!("{plain:e}; {tangent:e} -> {curved:e}");
-    assert!(curved < 2.6 * plain && curved < 0.6 * tangent);
+    assert_below!(curved, 2.6 * plain);
+    assert_below!(curved, 0.6 * tangent);
 }

@@ -206,6 +206,12 @@ pub(crate) fn distances_to_mesh(
     }))
 }
 
+/// A surface has been found.
+#[track_caller]
+pub(crate) fn assert_success(outcome: &Outcome) {
+    assert!(outcome.is_success(), "{outcome:?}");
+}
+
 /// Figures to be met. All are measured and printed before the first miss fails the test.
 #[derive(Debug, Default)]
 pub(crate) struct Bars {

@@ -44,7 +44,7 @@ fn off_sphere(shape: &Shape, filled: &Filled) -> f64 {
         (&report.outcome, ended),
         (&FillOutcome::Faired, Some(&Outcome::Converged))
     );
-    assert!(report.self_intersections.is_empty());
+    assert_empty!(report.self_intersections);
     let new = &filled.positions[shape.positions.len()..];
     new.iter()
         .map(|p| (vector(p).norm() - 1.0).abs())

@@ -58,8 +58,8 @@ fn holes_that_meet_in_two_copies_of_a_vertex_are_two() {
     let off = filled.positions[x.len()..]
         .iter()
         .map(|p| (vector(p).norm() - 1.0).abs());
-    assert!(filled.positions.len() > x.len() + 4);
-    assert!(off.fold(0.0, f64::max) < 1e-8);
+    assert_above!(filled.positions.len(), x.len() + 4);
+    assert_below!(off.fold(0.0, f64::max), 1e-8);
     let rest = boundary_loops(&filled.positions, &filled.triangles).unwrap();
     assert_eq!(holes(&rest).len(), 0);
     assert_eq!(rest.len(), 1);
@@ -152,10 +152,10 @@ fn normals_that_no_sound_patch_has_are_drawn_towards_a_membrane_s() {
     );
     let steep = report(0.8);
     assert_eq!(steep.outcome, FillOutcome::Faired);
-    assert!(steep.normals_reached < 1.0);
+    assert_below!(steep.normals_reached, 1.0);
     assert_eq!(steep.self_intersections.len(), 0);
     let outcome = steep.fairing.unwrap().outcome;
-    assert!(matches!(outcome, Outcome::BoundaryCrease { .. }), "{outcome:?}");
+    assert_matches!(outcome, Outcome::BoundaryCrease { .. });
 }
 
 /// A circle of `n` vertices around a hole, and around it one that goes up and down by `height`.

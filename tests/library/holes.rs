@@ -89,8 +89,9 @@ fn check(x: &[[f64; 3]], t: &[[u32; 3]], filled: &Filled) {
     assert_eq!(filled.parents.len(), filled.positions.len() - x.len());
     for parents in &filled.parents {
         let sum: f64 = parents.weights.iter().sum();
-        assert!((sum - 1.0).abs() < 1e-9 && parents.weights.iter().all(|&w| (0.0..=1.0 + 1e-9).contains(&w)));
-        assert!(parents.vertices.iter().all(|&v| (v as usize) < x.len()));
+        assert_near!(sum, 1.0, 1e-9);
+        assert_all!(parents.weights.iter(), |&w| (0.0..=1.0 + 1e-9).contains(&w));
+        assert_all!(parents.vertices.iter(), |&v| (v as usize) < x.len());
     }
     let loops = boundary_loops(x, t).unwrap();
     for report in &filled.loops {
@@ -109,7 +110,7 @@ fn check(x: &[[f64; 3]], t: &[[u32; 3]], filled: &Filled) {
         assert_eq!(unnamed.count(), 0);
         let after = filled.triangles[report.triangles.start as usize..report.triangles.end as usize].iter();
         let of_loop = |&v: &u32| (v as usize) < x.len() || report.vertices.contains(&v);
-        assert!(after.flatten().all(of_loop));
+        assert_all!(after.flatten(), of_loop);
     }
 }
 
@@ -266,7 +267,7 @@ fn parents_of_new_vertices_are_where_the_vertices_are() {
     ];
     for (number, (x, t)) in meshes.iter().enumerate() {
         let filled = fill(x, t, Loops::UpTo(usize::MAX));
-        assert!(filled.parents.len() > 100);
+        assert_above!(filled.parents.len(), 100);
         let far = |(parents, p): (&fairmesh::Parents, &[f64; 3])| {
             let of = |k: usize| {
                 (0..3)
@@ -326,7 +327,7 @@ fn bend_of_mesh(x: &[[f64; 3]], t: &[[u32; 3]]) -> f64 {
 fn a_regular_mesh_gets_edges_and_angles_like_its_own() {
     let (x, t) = sphere(1_000, Sampling::Regular);
     let filled = fill(&x, &t, Loops::Chosen(vec![largest(&x, &t)]));
-    assert!(filled.loops[0].worst_angle >= 30.0);
+    assert_at_least!(filled.loops[0].worst_angle, 30.0);
     let (outside, mean) = edge_lengths(&x, &t, &filled);
     assert_eq!(outside, [0.0, 0.0]);
     assert!((mean - 1.0).abs() < 0.05, "{mean}");
@@ -386,7 +387,8 @@ fn loops_of_three_to_a_thousand_edges_in_a_plane_stay_in_it() {
         let hole = inner_loop(&x, &t);
         let loops = boundary_loops(&x, &t).unwrap();
         assert_eq!(loops[hole].kind, LoopKind::Hole);
-        assert!(loops[hole].turn < 1.0 && loops[1 - hole].turn > 179.0);
+        assert_below!(loops[hole].turn, 1.0);
+        assert_above!(loops[1 - hole].turn, 179.0);
         let asked = FillOptions {
             max_new_vertices: 3_000,
             ..options(Loops::UpTo(usize::MAX))
@@ -400,7 +402,7 @@ fn loops_of_three_to_a_thousand_edges_in_a_plane_stay_in_it() {
             FillOutcome::Flat { reason } => assert_eq!(*reason, FlatReason::NoInnerVertex, "{n}"),
             other => panic!("{n}: {other:?}"),
         }
-        assert!(inner.vertices.len() <= 3_000);
+        assert_at_most!(inner.vertices.len(), 3_000);
         let off = filled.positions[x.len()..].iter().map(|p| p[2].abs());
         assert!(off.fold(0.0, f64::max) < 1e-9, "{n}");
         let area: f64 = filled.triangles[t.len()..]
@@ -430,7 +432,9 @@ fn the_vertex_cap_holds_on_a_loop_of_ten_thousand_edges() {
     let filled = fill_holes(&x, &t, &asked).unwrap();
     check(&x, &t, &filled);
     let report = &filled.loops[inner_loop(&x, &t)];
-    assert!(report.coarsened && report.vertices.len() <= 20_000 && report.vertices.len() > 5_000);
+    assert!(report.coarsened);
+    assert_at_most!(report.vertices.len(), 20_000);
+    assert_above!(report.vertices.len(), 5_000);
 }
 
 #[test]
@@ -447,11 +451,7 @@ fn a_cone_is_closed_at_its_tip_and_its_base() {
     for report in &filled.loops {
         assert!(!matches!(report.outcome, FillOutcome::LeftOpen(_)), "{report:?}");
     }
-    assert!(
-        boundary_loops(&filled.positions, &filled.triangles)
-            .unwrap()
-            .is_empty()
-    );
+    assert_empty!(boundary_loops(&filled.positions, &filled.triangles).unwrap());
 }
 
 #[test]
@@ -461,8 +461,8 @@ fn a_saddle_shaped_loop_is_filled_without_spikes() {
     let filled = fill(&x, &t, Loops::UpTo(usize::MAX));
     let report = &filled.loops[inner_loop(&x, &t)];
     assert_eq!(report.outcome, FillOutcome::Faired);
-    assert!(report.outside.is_empty());
-    assert!(filled.positions[x.len()..].iter().all(|p| p[2].abs() < 0.41));
+    assert_empty!(report.outside);
+    assert_all!(filled.positions[x.len()..].iter(), |p| p[2].abs() < 0.41);
 }
 
 #[test]
@@ -472,12 +472,8 @@ fn bow_ties_are_loops_of_their_own_and_both_are_filled() {
     let mut edges: Vec<usize> = loops.iter().map(|l| l.vertices.len()).collect();
     edges.sort_unstable();
     assert_eq!(edges, [4, 4, 32]);
-    assert!(
-        loops
-            .iter()
-            .filter(|l| l.kind == LoopKind::Hole)
-            .all(|l| l.touching == [40])
-    );
+    let holes = loops.iter().filter(|l| l.kind == LoopKind::Hole);
+    assert_all!(holes, |l| l.touching == [40]);
     assert_eq!(filled.loops.iter().filter(|l| !l.triangles.is_empty()).count(), 2);
     assert_eq!(
         boundary_loops(&filled.positions, &filled.triangles)
@@ -509,11 +505,7 @@ fn holes_that_touch_all_around_an_island_are_filled_one_by_one() {
     let (_, loops, filled) = sheet_without(&[(3, 4), (5, 4), (4, 3), (4, 5)]);
     let holes: Vec<_> = loops.iter().filter(|l| l.kind == LoopKind::Hole).collect();
     assert_eq!(holes.len(), 4);
-    assert!(
-        holes
-            .iter()
-            .all(|l| l.vertices.len() == 4 && l.touching.len() == 2)
-    );
+    assert_all!(holes.iter(), |l| l.vertices.len() == 4 && l.touching.len() == 2);
     assert_eq!(
         boundary_loops(&filled.positions, &filled.triangles)
             .unwrap()
@@ -569,7 +561,7 @@ fn an_island_in_a_hole_stays_as_it_is() {
                 };
                 assert_eq!(report.outcome, expected);
                 let new = report.vertices.clone().map(|v| filled.positions[v as usize]);
-                assert!(new.into_iter().all(|p| p[2].abs() < 1e-9));
+                assert_all!(new.into_iter(), |p| p[2].abs() < 1e-9);
             } else {
                 assert_eq!(report.outcome, FillOutcome::LeftOpen(OpenReason::OuterBoundary));
             }
@@ -609,7 +601,9 @@ fn a_boundary_without_a_fair_filling_ends_honestly_and_soon() {
         FillOutcome::Faired => assert!(converged, "{:?}", report.fairing),
         FillOutcome::Linear => assert!(!converged && report.outside.is_empty()),
         FillOutcome::Flat { reason } => {
-            assert!(!converged && *reason == FlatReason::Unsound && report.outside.is_empty());
+            assert!(!converged);
+            assert_eq!(*reason, FlatReason::Unsound);
+            assert_empty!(report.outside);
         }
         other => panic!("{other:?}"),
     }
@@ -667,7 +661,7 @@ fn a_loop_at_a_non_manifold_edge_is_named_and_the_others_are_filled() {
     let named = |l: &fairmesh::LoopReport| {
         l.outcome == FillOutcome::LeftOpen(OpenReason::NonManifold { a: 0, b: 12 })
     };
-    assert!(filled.loops.iter().any(named));
+    assert!(filled.loops.iter().any(named), "{:?}", filled.loops);
 }
 
 #[test]
@@ -684,11 +678,11 @@ fn a_hundred_holes_are_filled_in_one_call() {
     let (x, t) = cut(&shape, |p| centres.iter().all(|c| (vector(&p) - c).norm() > 0.07));
     let filled = fill(&x, &t, Loops::UpTo(usize::MAX));
     assert_eq!(filled.loops.len(), 101);
-    assert!(filled.loops.iter().all(|l| l.outcome == FillOutcome::Faired));
+    assert_all!(filled.loops.iter(), |l| l.outcome == FillOutcome::Faired);
     let off = filled.positions[x.len()..]
         .iter()
         .map(|p| (radius(p) - 1.0).abs());
-    assert!(off.fold(0.0, f64::max) < 1e-6);
+    assert_below!(off.fold(0.0, f64::max), 1e-6);
 }
 
 #[test]
@@ -701,7 +695,7 @@ fn a_noisy_boundary_gives_an_honest_outcome_and_no_spike() {
         let (x, t) = cut(&noisy, |p| p[2] < 0.5);
         let filled = fill(&x, &t, Loops::Chosen(vec![largest(&x, &t)]));
         let report = &filled.loops[0];
-        assert!(!matches!(report.outcome, FillOutcome::LeftOpen(_)));
+        assert!(!matches!(report.outcome, FillOutcome::LeftOpen(_)), "{report:?}");
         let far = |v: &u32| radius(&filled.positions[*v as usize]) > 2.0;
         assert_eq!(
             report.vertices.clone().filter(far).count(),
@@ -749,21 +743,21 @@ fn boundary_triangles_without_area_and_single_triangles_are_survived() {
 fn wrong_options_and_loops_that_do_not_exist_are_refused() {
     let (x, t) = collar(5, ring(1.0, 0.0), ring(2.0, 0.0));
     let refused = |options: FillOptions| fill_holes(&x, &t, &options).unwrap_err();
-    assert!(matches!(
+    assert_matches!(
         refused(options(Loops::Chosen(vec![2]))),
         Error::SelectionOutOfRange { index: 2, count: 2 }
-    ));
+    );
     for density in [0.0, -1.0, f64::NAN, 1e9] {
         let asked = FillOptions {
             density,
             ..FillOptions::default()
         };
-        assert!(matches!(refused(asked), Error::BadOption { name: "density", .. }));
+        assert_matches!(refused(asked), Error::BadOption { name: "density", .. });
     }
-    assert!(matches!(
+    assert_matches!(
         boundary_loops(&x, &[[0, 1, 99]]),
         Err(Error::IndexOutOfRange { .. })
-    ));
+    );
 }
 
 #[test]
@@ -850,7 +844,11 @@ fn a_run_can_be_stopped() {
     let filled = fill_holes_with_progress(&x, &t, &FillOptions::default(), &mut stop).unwrap();
     check(&x, &t, &filled);
     let cancelled = FillOutcome::LeftOpen(OpenReason::Cancelled);
-    assert!(filled.loops.iter().any(|l| l.outcome == cancelled));
+    assert!(
+        filled.loops.iter().any(|l| l.outcome == cancelled),
+        "{:?}",
+        filled.loops
+    );
 }
 
 /// One `Break` suffices, whenever it comes: nobody is asked again, and no hole is filled any more.
@@ -903,8 +901,8 @@ fn a_short_edge_does_not_flood_its_hole() {
         let filled = fill_holes(&x, &triangles, &options).unwrap();
         let new = filled.positions.len() - x.len();
         println!("{part:.0e}: {new} new vertices");
-        assert!(new <= 1_000 + 2 * hole.vertices.len().pow(2));
-        assert!(filled.positions.iter().flatten().all(|c| c.is_finite()));
+        assert_at_most!(new, 1_000 + 2 * hole.vertices.len().pow(2));
+        assert_all!(filled.positions.iter().flatten(), |c| c.is_finite());
     }
 }
 
@@ -925,7 +923,8 @@ fn the_outline_of_a_flat_grid_in_single_precision_does_not_flood() {
         // The sheet itself has n n.
         let new = report.vertices.len();
         println!("{n}: {new} new vertices, {:.1} degrees", report.worst_angle);
-        assert!(new as u32 <= 2 * n * n && report.worst_angle > 15.0);
+        assert_at_most!(new as u32, 2 * n * n);
+        assert_above!(report.worst_angle, 15.0);
     }
 }
 
@@ -1034,8 +1033,9 @@ fn a_cube_without_a_face_is_not_called_fair() {
     let Outcome::BoundaryCrease { vertices } = &fairing.outcome else {
         panic!("{report:?}");
     };
-    assert!(!vertices.is_empty() && vertices.iter().all(|&v| x[v as usize][2] == 1.0));
-    assert!(fairing.quality.boundary_kink > 45.0);
+    assert!(!vertices.is_empty());
+    assert_all!(vertices.iter(), |&v| x[v as usize][2] == 1.0);
+    assert_above!(fairing.quality.boundary_kink, 45.0);
 }
 
 /// A boundary edge cannot be split: vertices beside one that is long were made without end.

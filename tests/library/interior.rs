@@ -60,12 +60,13 @@ fn a_sphere_through_points_stays_a_sphere() {
             let mut shape = sphere_cap(60.0, n, irregular(seed), OUTSIDE);
             let every = 97;
             let inside = fix(&mut shape, |v, p| v % every == 0 && p.z > 0.6);
-            assert!(inside.len() > 4);
+            assert_above!(inside.len(), 4);
             let solution = solve_smooth(&shape, &inside, TIGHT);
             summary("points on a sphere", &solution);
             let error = errors(&shape, &solution).max;
             println!("  {n} {seed}: {} points, error {error:.1e}", inside.len());
-            assert!(solution.report.outcome.is_success() && error < 1e-9);
+            assert_success(&solution.report.outcome);
+            assert_below!(error, 1e-9);
             for (v, normal) in &solution.boundary_normals {
                 let off = (vector(normal) - vector(&shape.positions[*v as usize])).norm();
                 assert!(off < 1e-6, "normal of {v} off by {off}");
@@ -86,14 +87,15 @@ fn a_sphere_through_triangles_stays_a_sphere() {
             .filter(|t| t.iter().all(|&v| shape.positions[v as usize][2] > 0.6));
         let wanted: Vec<u32> = chosen.flatten().copied().collect();
         let inside = fix(&mut shape, |v, _| wanted.contains(&(v as u32)));
-        assert!(inside.len() > 20);
+        assert_above!(inside.len(), 20);
         let solution = solve_smooth(&shape, &inside, TIGHT);
         let error = errors(&shape, &solution).max;
         println!(
             "  {seed}: {} vertices of triangles, error {error:.1e}",
             inside.len()
         );
-        assert!(solution.report.outcome.is_success() && error < 1e-9);
+        assert_success(&solution.report.outcome);
+        assert_below!(error, 1e-9);
     }
 }
 
@@ -107,7 +109,8 @@ fn a_sphere_through_a_circle_stays_a_sphere() {
         summary("circle on a sphere", &solution);
         let error = errors(&shape, &solution).max;
         println!("  {n}: {} vertices, error {error:.1e}", inside.len());
-        assert!(solution.report.outcome.is_success() && error < 1e-9);
+        assert_success(&solution.report.outcome);
+        assert_below!(error, 1e-9);
     }
 }
 
@@ -119,7 +122,8 @@ fn a_cylinder_through_a_circle_stays_a_cylinder() {
     summary("circle on a cylinder", &solution);
     let error = errors(&shape, &solution).max;
     println!("  {} vertices, error {error:.1e}", inside.len());
-    assert!(solution.report.outcome.is_success() && error < 4e-5);
+    assert_success(&solution.report.outcome);
+    assert_below!(error, 4e-5);
 }
 
 /// The normals of the outer boundary, and on the curve those of the cylinder turned towards its axis by `degrees`.
@@ -145,10 +149,10 @@ fn given_normals_on_a_curve_inside_are_met() {
         let given = turned_normals(&shape, &inside, 20.0);
         let turned = solve_given(&shape, &flat(&shape), &given, options(TIGHT));
         summary("turned", &turned);
-        assert!(turned.report.outcome.is_success());
+        assert_success(&turned.report.outcome);
         let deviation = turned.report.quality.normal_deviation;
         println!("  {n}: off the given normals by {deviation:.2} degrees");
-        assert!(deviation < 0.55 * before);
+        assert_below!(deviation, 0.55 * before);
         before = deviation;
         assert_eq!(turned.boundary_normals.len(), given.len());
     }
@@ -162,7 +166,7 @@ fn a_curve_with_given_normals_parts_two_problems() {
         let inside = fix_curve(&mut shape, 0.0);
         let given = turned_normals(&shape, &inside, degrees);
         let whole = solve_given(&shape, &flat(&shape), &given, options(TIGHT));
-        assert!(whole.report.outcome.is_success());
+        assert_success(&whole.report.outcome);
         // Which side a free vertex is on: by walking over edges between free vertices.
         let mut upper: Vec<bool> = (shape.positions.iter().zip(&shape.free))
             .map(|(p, free)| *free && p[2] > 0.9)
@@ -180,7 +184,8 @@ fn a_curve_with_given_normals_parts_two_problems() {
             grown.iter().for_each(|&v| upper[v as usize] = true);
         }
         let count = upper.iter().filter(|u| **u).count();
-        assert!(count > n / 3 && count < 2 * n / 3);
+        assert_above!(count, n / 3);
+        assert_below!(count, 2 * n / 3);
         let mut half = shape.clone();
         half.free.clone_from(&upper);
         let alone = solve_given(&half, &flat(&half), &given, options(TIGHT));
@@ -188,7 +193,8 @@ fn a_curve_with_given_normals_parts_two_problems() {
         let off = ids.map(|v| (vector(&whole.positions[v]) - vector(&alone.positions[v])).norm());
         let off = Errors::of(off).max;
         println!("  {degrees} degrees: whole and half are {off:.1e} apart");
-        assert!(alone.report.outcome.is_success() && off < 1e-9);
+        assert_success(&alone.report.outcome);
+        assert_below!(off, 1e-9);
     }
 }
 
@@ -293,7 +299,8 @@ fn convex_weights_keep_spheres() {
             "  {n}: {error:.1e}, {} fallbacks",
             solution.report.fallback_weights
         );
-        assert!(solution.report.outcome.is_success() && error < 1e-9);
+        assert_success(&solution.report.outcome);
+        assert_below!(error, 1e-9);
         assert_eq!(solution.report.fallback_weights, 0);
     }
 }

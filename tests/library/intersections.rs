@@ -51,8 +51,8 @@ fn crossing_sheets_have_as_many_pairs_as_the_line_has_pieces() {
         let pairs = self_intersections(&x, &t, None).unwrap();
         assert_eq!(pairs.len() as u32, 4 * n, "{n}");
         let lying = 6 * n;
-        assert!(pairs.iter().all(|[a, b]| *a < lying && *b >= lying));
-        assert!(pairs.is_sorted());
+        assert_all!(pairs.iter(), |[a, b]| *a < lying && *b >= lying);
+        assert!(pairs.is_sorted(), "{pairs:?}");
         let some: Vec<u32> = (0..lying).step_by(2).collect();
         let of_some = self_intersections(&x, &t, Some(&some)).unwrap();
         let expected: Vec<_> = pairs.iter().filter(|[a, _]| a % 2 == 0).copied().collect();
@@ -101,10 +101,7 @@ fn bad_meshes_are_refused() {
         Err(Error::NotFinite { vertex: 2 })
     );
     let out_of_range = self_intersections(&x, &[[0, 1, 3]], None);
-    assert!(matches!(
-        out_of_range,
-        Err(Error::IndexOutOfRange { index: 3, .. })
-    ));
+    assert_matches!(out_of_range, Err(Error::IndexOutOfRange { index: 3, .. }));
     let named = self_intersections(&x[..2], &[], Some(&[0]));
     assert_eq!(named, Err(Error::SelectionOutOfRange { index: 0, count: 0 }));
 }
@@ -142,10 +139,15 @@ fn a_surface_that_runs_into_what_stands_there_is_no_success() {
             pairs: found.pairs.len()
         }
     );
-    assert!(!solution.report.outcome.is_success());
-    assert!(found.pairs.len() >= 3 && found.in_input == 0);
+    assert!(
+        !solution.report.outcome.is_success(),
+        "{:?}",
+        solution.report.outcome
+    );
+    assert_at_least!(found.pairs.len(), 3);
+    assert_eq!(found.in_input, 0);
     let is_free = |t: u32| cap.triangles[t as usize].iter().any(|&v| cap.free[v as usize]);
-    assert!(found.pairs.iter().all(|&[a, b]| is_free(a) && b >= first));
+    assert_all!(found.pairs.iter(), |&[a, b]| is_free(a) && b >= first);
     assert_eq!(
         self_intersections(&solution.positions, &cap.triangles, None).unwrap(),
         found.pairs
@@ -226,10 +228,11 @@ fn intersections_of_the_input_are_told_apart() {
     let solution = attempt(&cap, options(1e-8)).unwrap();
     let found = solution.report.self_intersections.unwrap();
     let all = self_intersections(&solution.positions, &cap.triangles, None).unwrap();
-    assert!(found.in_input > 0 && !found.pairs.is_empty());
-    assert!(all.len() > found.pairs.len());
+    assert_above!(found.in_input, 0);
+    assert!(!found.pairs.is_empty());
+    assert_above!(all.len(), found.pairs.len());
     let before = self_intersections(&cap.positions, &cap.triangles, None).unwrap();
-    assert!(before.len() > found.in_input);
+    assert_above!(before.len(), found.in_input);
 }
 
 #[test]
@@ -283,9 +286,9 @@ fn a_patch_that_would_intersect_is_made_by_other_means() {
     let report = &filled.loops[0];
     // It passes below the needle's point, and has not the normals of the sphere.
     assert_eq!(report.outcome, FillOutcome::Faired);
-    assert!(report.normals_reached < 1.0);
+    assert_below!(report.normals_reached, 1.0);
     assert!(!report.fairing.as_ref().unwrap().outcome.is_success());
-    assert!(report.self_intersections.is_empty());
+    assert_empty!(report.self_intersections);
     assert_eq!(
         self_intersections(&filled.positions, &filled.triangles, None),
         Ok(Vec::new())
@@ -293,7 +296,7 @@ fn a_patch_that_would_intersect_is_made_by_other_means() {
 
     let unchecked = fill_largest(&through_the_dome, Intersections::Skip);
     assert_eq!(unchecked.loops[0].outcome, FillOutcome::Faired);
-    assert!(unchecked.loops[0].self_intersections.is_empty());
+    assert_empty!(unchecked.loops[0].self_intersections);
     assert!(
         !self_intersections(&unchecked.positions, &unchecked.triangles, None)
             .unwrap()
@@ -310,7 +313,7 @@ fn a_patch_that_cannot_but_intersect_says_so() {
     let filled = fill_largest(&through_everything, Intersections::Check);
     let report = &filled.loops[0];
     assert_eq!(report.outcome, FillOutcome::SelfIntersecting);
-    assert!(report.self_intersections.len() >= 3);
+    assert_at_least!(report.self_intersections.len(), 3);
     let all = self_intersections(&filled.positions, &filled.triangles, None).unwrap();
     assert_eq!(report.self_intersections, all);
 }
@@ -346,10 +349,10 @@ fn two_patches_that_intersect_both_say_so() {
     for report in crossed {
         assert_eq!(report.self_intersections, all);
         let own = |pair: &[u32; 2]| pair.iter().any(|&t| report.triangles.contains(&t));
-        assert!(all.iter().all(own));
+        assert_all!(all.iter(), own);
     }
     for report in others {
         assert_eq!(report.outcome, FillOutcome::Faired);
-        assert!(report.self_intersections.is_empty());
+        assert_empty!(report.self_intersections);
     }
 }

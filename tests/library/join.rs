@@ -108,11 +108,7 @@ fn pieces_become_one(n: usize, gap: f64, seed: u64) {
     let filled = join(&shape, (0..count).collect());
     check_fair("pieces", &filled);
     assert_eq!(euler(&filled), 2);
-    assert!(
-        boundary_loops(&filled.positions, &filled.triangles)
-            .unwrap()
-            .is_empty()
-    );
+    assert_empty!(boundary_loops(&filled.positions, &filled.triangles).unwrap());
     let error = off_unit_sphere(new_vertices(&shape, &filled));
     println!("{n} vertices, gap {gap}: {error:.1e}");
     assert!(error < 1e-8, "{error}");
@@ -306,12 +302,12 @@ fn plates_with_islands_become_flat(cases: &[usize]) {
         let filled = join(&shape, group.clone());
         check_fair("plate", &filled);
         assert_eq!(euler(&filled), 1);
-        assert!(filled.positions.iter().all(|p| p[2].abs() < 1e-12));
+        assert_all!(filled.positions.iter(), |p| p[2].abs() < 1e-12);
         let area = |t: &[u32; 3]| {
             let [a, b, c] = t.map(|v| vector(&filled.positions[v as usize]));
             (b - a).cross(&(c - a)).z
         };
-        assert!(filled.triangles.iter().all(|t| area(t) > 0.0));
+        assert_all!(filled.triangles.iter(), |t| area(t) > 0.0);
         // Nobody has to say so.
         let found = suggest_joins(&shape.positions, &shape.triangles, &FillOptions::default()).unwrap();
         assert_eq!(found.len(), 1);
@@ -341,28 +337,22 @@ fn only_what_belongs_together_is_joined_by_itself() {
     expected.sort_unstable();
     assert_eq!(groups(&tubes(&axes, 2.4, 300, Sampling::Regular)), [expected]);
     // Two mouths that face each other from far away, two holes of one sphere, and a hole in a plate.
-    assert!(
-        groups(&tubes(
-            &[[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]],
-            6.0,
-            300,
-            irregular(1)
-        ))
-        .is_empty()
-    );
+    assert_empty!(groups(&tubes(
+        &[[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]],
+        6.0,
+        300,
+        irregular(1)
+    )));
     let sphere = fairmesh_shapes::sphere_with_hole(1.0, 2_000, irregular(1), 0);
     let near = |p: [f64; 3], q: [f64; 3]| angle(&p, &q) < 15.0;
     let holes = in_parts(&sphere, |p| {
         (!near(p, [0.0, 0.0, -1.0]) && !near(p, [0.64, 0.0, -0.77])).then_some(0)
     });
     assert_eq!(loop_count(&holes), 2);
-    assert!(groups(&holes).is_empty());
-    assert!(
-        groups(&in_parts(&plate(1_000, irregular(1)), |p| (p[0].hypot(p[1])
-            > 0.5)
-            .then_some(0)))
-        .is_empty()
-    );
+    assert_empty!(groups(&holes));
+    let plate = plate(1_000, irregular(1));
+    let ring = in_parts(&plate, |p| (p[0].hypot(p[1]) > 0.5).then_some(0));
+    assert_empty!(groups(&ring));
 }
 
 /// A torus of tube radius .4 about the unit circle, without a sixth of the way around: both ends are of the same part.
@@ -452,10 +442,7 @@ fn parts_that_face_opposite_ways_are_refused_by_name() {
     let group: Vec<usize> = (0..loops.len()).filter(|&l| loops[l].length < 5.0).collect();
     assert_eq!(group.len(), 3);
     let outcome = &join(&shape, group).loops[0].outcome;
-    assert!(
-        matches!(outcome, FillOutcome::LeftOpen(OpenReason::OppositeSides { .. })),
-        "{outcome:?}"
-    );
+    assert_matches!(outcome, FillOutcome::LeftOpen(OpenReason::OppositeSides { .. }));
 }
 
 #[test]
@@ -469,15 +456,9 @@ fn groups_that_make_no_sense_are_refused() {
         fill_holes(&shape.positions, &shape.triangles, &options).unwrap_err()
     };
     let twice = refused(Join::Groups(vec![vec![0, 1], vec![1]]));
-    assert!(
-        matches!(twice, Error::BadOption { name: "join", value, .. } if value == 1.0),
-        "{twice:?}"
-    );
+    assert_matches!(twice, Error::BadOption { name: "join", value, .. } if *value == 1.0);
     let none = refused(Join::Groups(vec![vec![0, 7]]));
-    assert!(
-        matches!(none, Error::SelectionOutOfRange { index: 7, count: 2 }),
-        "{none:?}"
-    );
+    assert_matches!(none, Error::SelectionOutOfRange { index: 7, count: 2 });
 }
 
 #[test]
@@ -523,6 +504,6 @@ fn what_has_no_fair_patch_stays_open_if_asked() {
     );
     assert_eq!(open.triangles, shape.triangles);
     for on_failure in [OnFailure::Linear, OnFailure::Flat] {
-        assert!(with(on_failure).triangles.len() > shape.triangles.len());
+        assert_above!(with(on_failure).triangles.len(), shape.triangles.len());
     }
 }

@@ -30,8 +30,15 @@ fn begin(shape: &Shape, options: &Options) -> Session {
 /// The session at the fair surface.
 fn finished(shape: &Shape, options: &Options) -> Session {
     let mut session = begin(shape, options);
-    assert!(session.finish(None).unwrap().report.outcome.is_success());
+    assert_success(&session.finish(None).unwrap().report.outcome);
     session
+}
+
+/// Updates without a limit, and so to the end.
+#[track_caller]
+fn settle(session: &mut Session) {
+    let frame = session.update(&NO_LIMIT).unwrap();
+    assert!(frame.is_settled, "{frame:?}");
 }
 
 fn tilt(vertex: u32, degrees: f64) -> Edit {
@@ -146,8 +153,8 @@ fn edits_lead_to_the_surface_of_a_fresh_solve() {
             farthest(&found.positions, &shown) / diagonal
         );
         assert!(away < 1e-8, "{edits:?}: {away}");
-        assert!(farthest(&found.positions, &shown) < 3e-6 * diagonal);
-        assert!(farthest(&found.positions, &fair_surface) > 1e-3 * diagonal);
+        assert_below!(farthest(&found.positions, &shown), 3e-6 * diagonal);
+        assert_above!(farthest(&found.positions, &fair_surface), 1e-3 * diagonal);
         assert_eq!(bits(session.positions()), bits(&session.solution().positions));
     }
     session.edit(&[]).unwrap();
@@ -200,9 +207,9 @@ fn a_cap_that_is_tilted_becomes_the_cap_of_another_sphere() {
         let mut session = finished(&shape, &given(&shape));
         for degrees in [5.0, 15.0, 20.0, -10.0, -30.0] {
             session.edit(&[edit(vertex, degrees)]).unwrap();
-            assert!(session.update(&NO_LIMIT).unwrap().is_settled);
+            settle(&mut session);
             let found = session.finish(None).unwrap();
-            assert!(found.report.outcome.is_success());
+            assert_success(&found.report.outcome);
             let (s, c) = (60.0 * DEGREE).sin_cos();
             let (s1, c1) = ((60.0 + degrees) * DEGREE).sin_cos();
             let (radius, centre) = (s / s1, c - s * c1 / s1);
@@ -243,10 +250,13 @@ fn a_rigid_motion_of_all_that_is_fixed_moves_the_surface() {
         session.update(&NO_LIMIT).unwrap();
         let found = session.finish(None).unwrap();
         let expected: Vec<[f64; 3]> = before.positions.iter().map(|&p| moved(p)).collect();
-        assert!(farthest(&found.positions, &expected) < 1e-8 * before.report.diagonal);
+        assert_below!(
+            farthest(&found.positions, &expected),
+            1e-8 * before.report.diagonal
+        );
         assert_eq!(found.report.outcome, before.report.outcome);
         for (a, b) in found.boundary_normals.iter().zip(&before.boundary_normals) {
-            assert!((Vector3::from(a.1) - turn * Vector3::from(b.1)).norm() < 1e-13);
+            assert_below!((Vector3::from(a.1) - turn * Vector3::from(b.1)).norm(), 1e-13);
         }
     }
 }
@@ -284,15 +294,15 @@ fn a_twist_turns_the_normals_of_both_sides_by_opposite_angles() {
                     (sum / std::f64::consts::TAU - (sum / std::f64::consts::TAU).round()).abs() < 1e-6
                 })
                 .unwrap();
-            assert!((of(v) + of(*opposite)).abs() < 1e-12);
+            assert_below!((of(v) + of(*opposite)).abs(), 1e-12);
             if reach == 32.0 {
                 // Seen from outside the region is on the left of who goes around the tube clockwise or not: the sign is that of a sine.
                 let expected = (angle * away.sin()).sin();
-                assert!((of(v).abs() - expected.abs()).abs() < 1e-12);
+                assert_near!(of(v).abs(), expected.abs(), 1e-12);
             }
             largest = largest.max(of(v).abs());
         }
-        assert!(of(vertex).abs() < 1e-15);
+        assert_below!(of(vertex).abs(), 1e-15);
         assert!(
             largest > 0.9 * angle.sin() && largest <= angle.sin() + 1e-12,
             "{largest}"
@@ -325,7 +335,8 @@ fn the_order_of_edits_that_do_not_meet_is_all_one() {
         bits(session.positions())
     };
     let one = found([0, 1, 2, 3]);
-    assert!(one == found([3, 1, 2, 0]) && one == found([2, 3, 0, 1]));
+    assert!(one == found([3, 1, 2, 0]));
+    assert!(one == found([2, 3, 0, 1]));
 }
 
 /// Ten frames of a drag with these evaluations each, then one without limit.
@@ -354,12 +365,14 @@ fn frames_by_evaluations_are_the_same_in_every_run_and_for_any_number_of_threads
         };
         let mut session = finished(&shape, &asked);
         let frames = dragged(&mut session, vertex, 3);
-        assert!(frames[..10].iter().all(|f| f.evaluations <= 3));
-        assert!(frames[10].is_settled);
+        assert_all!(frames[..10].iter(), |f| f.evaluations <= 3);
+        assert!(frames[10].is_settled, "{frames:?}");
         (frames, bits(session.positions()))
     };
     let one = run(1);
-    assert!(one == run(1) && one == run(2) && one == run(3));
+    for k in 1..=3 {
+        assert!(one == run(k), "{k}");
+    }
 }
 
 #[test]
@@ -369,7 +382,8 @@ fn a_budget_is_kept_and_frames_go_on_where_the_last_one_has_ended() {
     let mut whole = finished(&shape, &given(&shape));
     whole.edit(&[tilt(vertex, 12.0)]).unwrap();
     let needed = whole.update(&NO_LIMIT).unwrap();
-    assert!(needed.is_settled && needed.evaluations > 4);
+    assert!(needed.is_settled, "{needed:?}");
+    assert_above!(needed.evaluations, 4);
     for evaluations in [1, 2, 3] {
         let mut session = finished(&shape, &given(&shape));
         session.edit(&[tilt(vertex, 12.0)]).unwrap();
@@ -380,7 +394,8 @@ fn a_budget_is_kept_and_frames_go_on_where_the_last_one_has_ended() {
         let (mut spent, mut last) = (0, f64::INFINITY);
         loop {
             let frame = session.update(&budget).unwrap();
-            assert!(frame.evaluations <= evaluations && frame.evaluations > 0);
+            assert_at_most!(frame.evaluations, evaluations);
+            assert_above!(frame.evaluations, 0);
             assert!(frame.step <= last, "the best so far is shown");
             (spent, last) = (spent + frame.evaluations, frame.step);
             if frame.is_settled {
@@ -391,7 +406,8 @@ fn a_budget_is_kept_and_frames_go_on_where_the_last_one_has_ended() {
         assert_eq!(bits(session.positions()), bits(whole.positions()));
         // The end is the end.
         let more = session.update(&budget).unwrap();
-        assert!(more.evaluations == 0 && more.is_settled);
+        assert_eq!(more.evaluations, 0);
+        assert!(more.is_settled, "{more:?}");
     }
 }
 
@@ -409,7 +425,7 @@ fn a_budget_of_no_time_leaves_one_evaluation() {
     let mut frames = 0;
     while !session.update(&budget).unwrap().is_settled {
         frames += 1;
-        assert!(frames < 100);
+        assert_below!(frames, 100);
     }
     assert!(frames > 2, "{frames}");
     session.edit(&[tilt(vertex, 6.0)]).unwrap();
@@ -431,7 +447,8 @@ fn a_degree_of_tilt_takes_few_evaluations() {
                         .edit(&[tilt(circle[0], direction * f64::from(k))])
                         .unwrap();
                     let frame = session.update(&NO_LIMIT).unwrap();
-                    assert!(frame.is_settled && frame.step <= 1e-6);
+                    assert!(frame.is_settled, "{frame:?}");
+                    assert_at_most!(frame.step, 1e-6);
                     frame.evaluations
                 });
                 let mut evaluations: Vec<usize> = drag.collect();
@@ -456,9 +473,9 @@ fn frames_before_any_surface_are_those_of_the_first_solve() {
     let mut frames = 0;
     while !session.update(&budget).unwrap().is_settled {
         frames += 1;
-        assert!(frames < 100);
+        assert_below!(frames, 100);
     }
-    assert!(frames > 1);
+    assert_above!(frames, 1);
     assert_eq!(bits(session.positions()), bits(&whole.solution().positions));
     let found = session.finish(None).unwrap();
     assert_eq!(found.report.iterations, whole.solution().report.iterations);
@@ -479,7 +496,7 @@ fn an_edit_leaves_other_components_as_they_are() {
     let mut session = finished(&two, &given(&two));
     let before = session.solution().clone();
     session.edit(&[tilt(one.boundary_normals()[0].0, 10.0)]).unwrap();
-    assert!(session.update(&NO_LIMIT).unwrap().is_settled);
+    settle(&mut session);
     let of_second = |positions: &[[f64; 3]]| bits(&positions[count as usize..]);
     assert_eq!(of_second(session.positions()), of_second(&before.positions));
     let found = session.finish(None).unwrap();
@@ -507,7 +524,7 @@ fn a_curve_between_two_components_has_one_normal() {
         (tilt(curve, -10.0), -10.0),
     ] {
         session.edit(std::slice::from_ref(&edit)).unwrap();
-        assert!(session.update(&NO_LIMIT).unwrap().is_settled);
+        settle(&mut session);
         let found = session.finish(None).unwrap();
         // At the curve the cap's normals have a polar angle of 30 degrees; the inner side has the smaller vertex.
         let of_curve = found.boundary_normals.iter().filter(|n| on_ring(n.0 as usize, 8));
@@ -613,9 +630,13 @@ fn points_inside_the_region_are_moved() {
         session
             .edit(&[motion(&[inside as u32], [0.0; 3], [0.0, 0.0, height])])
             .unwrap();
-        assert!(session.update(&NO_LIMIT).unwrap().is_settled);
+        settle(&mut session);
         let found = session.finish(None).unwrap();
-        assert!((found.positions[inside][2] - shape.positions[inside][2] - height).abs() < 1e-15);
+        assert_near!(
+            found.positions[inside][2] - shape.positions[inside][2],
+            height,
+            1e-15
+        );
         // The normal at the point is the surface's own.
         let mut fresh = shape.clone();
         fresh.positions[inside] = found.positions[inside];
@@ -652,7 +673,7 @@ fn units_and_places_make_no_difference() {
             ])
             .unwrap();
         let frame = session.update(&NO_LIMIT).unwrap();
-        assert!(frame.is_settled);
+        assert!(frame.is_settled, "{frame:?}");
         session.finish(None).unwrap();
         let back = session.positions().iter().map(|p| p.map(|x| (x - away) / scale));
         (frame.evaluations, back.collect::<Vec<_>>())
@@ -664,8 +685,8 @@ fn units_and_places_make_no_difference() {
             "{scale} {away}: {needed} evaluations, {:e}",
             farthest(&here, &there)
         );
-        assert!(farthest(&here, &there) < bar);
-        assert!(needed.abs_diff(evaluations) <= 1);
+        assert_below!(farthest(&here, &there), bar);
+        assert_at_most!(needed.abs_diff(evaluations), 1);
     }
 }
 
@@ -684,7 +705,10 @@ fn the_constant_is_dragged_as_well() {
         ..given(&shape)
     };
     let fresh = afresh(&shape, found, &asked);
-    assert!(farthest(&found.positions, &fresh.positions) < 1e-8 * found.report.diagonal);
+    assert_below!(
+        farthest(&found.positions, &fresh.positions),
+        1e-8 * found.report.diagonal
+    );
 }
 
 #[test]
@@ -706,7 +730,10 @@ fn new_boundary_normals_are_edited_as_the_old_ones_were() {
         .unwrap();
     assert_eq!(session.edits().len(), 2);
     let found = session.finish(None).unwrap();
-    assert!(farthest(&found.positions, &expected.positions) < 1e-8 * found.report.diagonal);
+    assert_below!(
+        farthest(&found.positions, &expected.positions),
+        1e-8 * found.report.diagonal
+    );
 }
 
 /// Edits that are refused, and why.
@@ -775,7 +802,7 @@ fn wrong_edits_and_budgets_are_refused_and_change_nothing() {
             "{option}: {refused:?}"
         );
     }
-    assert!(session.update(&NO_LIMIT).unwrap().is_settled);
+    settle(&mut session);
     assert_eq!(bits(session.positions()), before);
 }
 
@@ -811,11 +838,11 @@ fn edits_that_are_too_much_are_not_said_to_settle_folded_and_are_taken_back() {
         };
         let frame = session.update(&budget).unwrap();
         println!("{edit:?}: {frame:?}");
-        assert!(session.positions().iter().flatten().all(|x| x.is_finite()));
+        assert_all!(session.positions().iter().flatten(), |x| x.is_finite());
         if frame.is_settled {
-            assert!(frame.step <= 1e-6);
+            assert_at_most!(frame.step, 1e-6);
             let free_run = session.run(1, None).unwrap();
-            assert!(free_run.report.quality.flipped.is_empty());
+            assert_empty!(free_run.report.quality.flipped);
         }
         session.edit(&[]).unwrap();
         let frame = session.update(&budget).unwrap();
@@ -847,7 +874,7 @@ fn a_kink_that_edits_ask_for_is_no_crease() {
         "{:?}, kink {}",
         found.report.outcome, found.report.quality.boundary_kink
     );
-    assert!(found.report.quality.boundary_kink > 45.0);
+    assert_above!(found.report.quality.boundary_kink, 45.0);
     assert_eq!(found.report.outcome, fresh.report.outcome);
     assert_eq!(found.report.outcome, fairmesh::Outcome::Converged);
 }
@@ -862,10 +889,13 @@ fn other_inner_fairness_follows_too() {
         };
         let mut session = finished(&shape, &asked);
         session.edit(&[Edit::Bulge { amount: 0.2 }]).unwrap();
-        assert!(session.update(&NO_LIMIT).unwrap().is_settled);
+        settle(&mut session);
         let found = session.finish(None).unwrap();
         let fresh = afresh(&shape, found, &asked);
-        assert!(farthest(&found.positions, &fresh.positions) < 1e-8 * found.report.diagonal);
+        assert_below!(
+            farthest(&found.positions, &fresh.positions),
+            1e-8 * found.report.diagonal
+        );
     }
 }
 

@@ -1,6 +1,10 @@
 //! The library as its users see it: known answers, invariances, outcomes and refusals.
 #![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
 
+#[macro_use]
+#[path = "../common/asserts.rs"]
+mod asserts;
+
 mod fairing;
 #[path = "../common/tier.rs"]
 mod tier;

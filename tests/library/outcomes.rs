@@ -65,7 +65,11 @@ fn cancelling() {
         let after = told.iter().skip_while(|p| p.iterations < at).count();
         assert_eq!(after, 1, "calls from the break on");
         assert_usable(&shape, &start, &solution);
-        assert!(!solution.report.outcome.is_success());
+        assert!(
+            !solution.report.outcome.is_success(),
+            "{:?}",
+            solution.report.outcome
+        );
     }
 }
 
@@ -78,10 +82,10 @@ fn cancelling_at_any_call() {
     loop {
         let calls = AtomicUsize::new(0);
         let (solution, told) = run_with(&shape, &start, |_| calls.fetch_add(1, Relaxed) == last);
-        assert!(told.is_sorted_by(|a, b| a.fraction <= b.fraction));
+        assert!(told.is_sorted_by(|a, b| a.fraction <= b.fraction), "{told:?}");
         if solution.report.outcome != Outcome::Cancelled {
             // The last step had met the tolerance already.
-            assert!(solution.report.outcome.is_success());
+            assert_success(&solution.report.outcome);
             break;
         }
         assert_eq!(told.len(), last + 1);
@@ -109,9 +113,9 @@ fn progress_moves_evenly_over_its_phases() {
         let before = told.iter().rfind(|p| p.iterations == 0).unwrap();
         assert!((0.4..0.6).contains(&before.fraction), "{}", before.fraction);
         assert!(told[0].fraction < 0.15, "{}", told[0].fraction);
-        assert!(told.last().unwrap().fraction > 0.85);
+        assert_above!(told.last().unwrap().fraction, 0.85);
         // What is told between iterations has the step norm of the last one.
-        assert!(told.iter().all(|p| p.step.is_nan() == (p.iterations == 0)));
+        assert_all!(told.iter(), |p| p.step.is_nan() == (p.iterations == 0));
         let jumps = told.windows(2).map(|w| w[1].fraction - w[0].fraction);
         let largest = jumps.fold(0.0, f64::max);
         assert!(largest < 0.3, "a jump of {largest}");
@@ -169,7 +173,7 @@ fn exactly_enough_iterations() {
         },
     );
     assert_eq!(limited.report.outcome, Outcome::Converged);
-    assert!(limited.positions == free.positions);
+    assert_same_items!(limited.positions, free.positions);
 }
 
 #[test]
@@ -186,10 +190,10 @@ fn progress_never_falls() {
             told.last().unwrap().fraction,
             solution.report.outcome.name()
         );
-        assert!(told.iter().all(|p| (0.0..=1.0).contains(&p.fraction)));
-        assert!(told.windows(2).all(|w| w[0].fraction <= w[1].fraction));
-        assert!(told.windows(2).all(|w| w[0].iterations <= w[1].iterations));
-        assert!(told.windows(2).all(|w| w[1].iterations <= w[0].iterations + 1));
+        assert_all!(told.iter(), |p| (0.0..=1.0).contains(&p.fraction));
+        assert_all!(told.windows(2), |w| w[0].fraction <= w[1].fraction);
+        assert_all!(told.windows(2), |w| w[0].iterations <= w[1].iterations);
+        assert_all!(told.windows(2), |w| w[1].iterations <= w[0].iterations + 1);
         // Those of attempts at a second surface are told as well, those on the coarse mesh are not.
         let own = &solution.report.components[0];
         let attempts = own
@@ -198,7 +202,7 @@ fn progress_never_falls() {
             .filter(|a| a.free_vertices == own.free_vertices);
         let all: usize = attempts.map(|a| a.iterations).sum();
         assert_eq!(told.last().unwrap().iterations, all);
-        assert!(told.iter().all(|p| !p.phase.is_empty()));
+        assert_all!(told.iter(), |p| !p.phase.is_empty());
         // Being watched changes nothing.
         let unwatched = solve(shape, &shape.flat(), options(1e-8));
         assert!(unwatched.positions == solution.positions, "{name}");
@@ -340,14 +344,11 @@ fn wrong_triangles_are_refused() {
     };
     assert_eq!(refusal(p, &and([b, c, a]), mask), Some(twice));
     let turned = refusal(p, &with([a, c, b]), mask);
-    assert!(
-        matches!(turned, Some(Error::InconsistentOrientation { .. })),
-        "{turned:?}"
-    );
+    assert_matches!(turned, Some(Error::InconsistentOrientation { .. }));
     let more = [&p[..], &[[0.0; 3]]].concat();
     let free = shape.free_vertices();
     let third = refusal(&more, &and([a, b, beyond]), Selection::Vertices(&free));
-    assert!(matches!(third, Some(Error::NonManifoldEdge { .. })), "{third:?}");
+    assert_matches!(third, Some(Error::NonManifoldEdge { .. }));
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let mut p = p.clone();
         p[c as usize][1] = bad;
@@ -362,10 +363,7 @@ fn regions_without_a_boundary_are_refused() {
     let (p, t) = (&shape.positions, &shape.triangles);
     let n = p.len();
     let everything = refusal(p, t, Selection::Mask(&vec![true; n]));
-    assert!(
-        matches!(everything, Some(Error::FreeVertexOnBoundary { .. })),
-        "{everything:?}"
-    );
+    assert_matches!(everything, Some(Error::FreeVertexOnBoundary { .. }));
     let tetrahedron = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let closed = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
     let nothing_fixed = refusal(&tetrahedron, &closed, Selection::Mask(&[true; 4]));
@@ -691,8 +689,9 @@ fn a_pole_of_400_meridians() {
         "{} free, {} iterations, error {error:.1e}",
         report.free_vertices, report.iterations
     );
-    assert!(matches!(report.outcome, Outcome::ConvergedPoorTriangles { .. }));
-    assert!(report.quality.flipped.is_empty() && report.quality.needles.len() >= meridians);
+    assert_matches!(report.outcome, Outcome::ConvergedPoorTriangles { .. });
+    assert_empty!(report.quality.flipped);
+    assert_at_least!(report.quality.needles.len(), meridians);
     assert!(error < 1e-8, "{error}");
     assert!(report.iterations <= 23, "{}", report.iterations);
 }

@@ -222,7 +222,7 @@ fn levels_are_reported() {
     let levels = &s.report.levels;
     assert_eq!(levels.len(), 3);
     assert_eq!((levels[0].vertices, levels[2].vertices), (240, 920));
-    assert!((levels[1].vertices as f64 / (240.0f64 * 920.0).sqrt() - 1.0).abs() < 0.01);
+    assert_near!(levels[1].vertices as f64 / (240.0f64 * 920.0).sqrt(), 1.0, 0.01);
     assert_eq!(levels[2].triangles, 1746);
     assert_eq!(
         levels.iter().map(|l| l.updates).sum::<usize>(),
@@ -244,7 +244,7 @@ fn a_limit_on_the_laplacian_is_met_or_rounding_is_told() {
     );
     told("1e-2", &met);
     assert_eq!(met.report.outcome, Outcome::Converged);
-    assert!(met.report.defect < 1e-3);
+    assert_below!(met.report.defect, 1e-3);
     let hopeless = paper(
         &shape,
         PaperOptions {
@@ -285,7 +285,7 @@ fn a_run_stops_within_one_update() {
         assert_eq!((s.report.iterations, after), (stop, 0));
         let levels = &s.report.levels;
         assert_eq!(levels.iter().map(|l| l.updates).sum::<usize>(), stop);
-        assert!(s.positions.iter().flatten().all(|c| c.is_finite()));
+        assert_all!(s.positions.iter().flatten(), |c| c.is_finite());
     }
 }
 

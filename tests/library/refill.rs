@@ -43,7 +43,7 @@ fn an_ear_of_any_shape_gives_way_to_the_sphere_around_it() {
     let off = refilled.positions[new..]
         .iter()
         .map(|p| (vector(p).norm() - 1.0).abs());
-    assert!(off.fold(0.0, f64::max) < 1e-7);
+    assert_below!(off.fold(0.0, f64::max), 1e-7);
     let before = boundary_loops(&given, &shape.triangles).unwrap().len();
     assert_eq!(
         boundary_loops(&refilled.positions, &refilled.triangles)
@@ -68,7 +68,7 @@ fn a_band_is_filled_with_one_patch_between_its_loops() {
     assert_eq!(loops(&refilled.positions, &refilled.triangles), before);
     let new = &refilled.positions[refilled.kept_vertices.len()..];
     let off = new.iter().map(|p| (p[0].hypot(p[1]) - 1.0).abs());
-    assert!(off.fold(0.0, f64::max) < 0.02);
+    assert_below!(off.fold(0.0, f64::max), 0.02);
 }
 
 #[test]
@@ -86,5 +86,5 @@ fn a_fixed_vertex_inside_is_not_lost() {
         Selection::Vertices(&[]),
         &FillOptions::default(),
     );
-    assert!(matches!(wrong, Err(Error::EmptyRegion)), "{wrong:?}");
+    assert_matches!(wrong, Err(Error::EmptyRegion));
 }

@@ -100,11 +100,7 @@ fn a_patch_ends_at_sharp_edges_and_a_component_does_not() {
     let side = of(Region::Patch { seed, angle: 30.0 });
     assert_eq!(side.len(), 32);
     for &t in &side {
-        assert!(
-            triangles[t as usize]
-                .iter()
-                .all(|&v| positions[v as usize][2] == 1.0)
-        );
+        assert_all!(triangles[t as usize].iter(), |&v| positions[v as usize][2] == 1.0);
     }
     assert_eq!(of(Region::Patch { seed, angle: 95.0 }).len(), triangles.len());
     assert_eq!(of(Region::Component(seed)).len(), triangles.len());
@@ -165,7 +161,7 @@ fn what_cannot_be_chosen_is_refused_by_name() {
         centre: [f64::NAN, 0.0, 0.0],
         radius: 1.0,
     });
-    assert!(matches!(refused(ball), Error::BadOption { .. }));
+    assert_matches!(refused(ball), Error::BadOption { .. });
     let flat = Region::HalfSpace {
         point: [0.0; 3],
         normal: [0.0; 3],
@@ -173,21 +169,18 @@ fn what_cannot_be_chosen_is_refused_by_name() {
     let range = "a vector that is not zero";
     let (name, value) = ("normal", 0.0);
     assert_eq!(refused(flat), Error::BadOption { name, value, range });
-    assert!(matches!(refused(Region::Bump(EAST)), Error::NoBump { .. }));
+    assert_matches!(refused(Region::Bump(EAST)), Error::NoBump { .. });
     let geodesic = Region::Geodesic {
         seed: Seed::Point([0.0, f64::INFINITY, 0.0]),
         radius: 1.0,
     };
-    assert!(matches!(
-        refused(geodesic),
-        Error::BadOption { name: "point", .. }
-    ));
+    assert_matches!(refused(geodesic), Error::BadOption { name: "point", .. });
     // No distance to such a place is a number, and without triangles there is none.
     let far = Region::Component(Seed::Point([1e200, 0.0, 0.0]));
-    assert!(matches!(refused(far), Error::BadOption { name: "point", .. }));
+    assert_matches!(refused(far), Error::BadOption { name: "point", .. });
     let nowhere = [add(Region::Component(EAST))];
     let refused = select_region(&positions, &[], &nowhere, Coincident::default()).unwrap_err();
-    assert!(matches!(refused, Error::BadOption { name: "point", .. }));
+    assert_matches!(refused, Error::BadOption { name: "point", .. });
 }
 
 /// The sphere with a bump (or a dent) in the east, of this width and height over the width, and noise over the edge.
@@ -334,7 +327,7 @@ fn a_place_beside_the_surface_is_taken_on_it_and_told() {
     let on = select(&shape, &[east(1.0)]);
     let beside = select(&shape, &[east(4.0), add(Region::Component(Seed::Vertex(0)))]);
     // The nearest points of a polyhedron to both are a little apart.
-    assert!(on.counts[0].abs_diff(beside.counts[0]) * 10 < on.counts[0]);
+    assert_below!(on.counts[0].abs_diff(beside.counts[0]) * 10, on.counts[0]);
     assert!(on.misses[0] < 0.01, "{:?}", on.misses);
     assert_eq!(beside.misses.len(), 1);
     assert!((beside.misses[0] - 3.0).abs() < 0.01, "{:?}", beside.misses);

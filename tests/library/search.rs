@@ -63,7 +63,8 @@ fn of_two_harmonic_surfaces_near_each_other_the_one_of_less_bending_energy_is_fo
         assert!(
             attempts
                 .iter()
-                .any(|a| a.name == "second surface" && a.end == AttemptEnd::Sound)
+                .any(|a| a.name == "second surface" && a.end == AttemptEnd::Sound),
+            "{attempts:?}"
         );
     }
 }
@@ -110,7 +111,8 @@ fn a_block_beside_the_pole_of_a_sphere_is_faired() {
     let off = |p: &[f64; 3]| (p.iter().map(|c| c * c).sum::<f64>().sqrt() - 1.0).abs();
     let farthest = solution.positions.iter().map(off).fold(0.0, f64::max);
     println!("{:?}, {farthest:.1e} off the sphere", solution.report.outcome);
-    assert!(solution.report.outcome.is_success() && farthest < 0.01);
+    assert_success(&solution.report.outcome);
+    assert_below!(farthest, 0.01);
     let attempts = &solution.report.components[0].attempts;
     let last = attempts.last().unwrap();
     assert_eq!(
@@ -139,7 +141,7 @@ fn attempts_tell_what_was_tried_on_which_mesh() {
     );
     assert_eq!(last.name, "from the coarse mesh");
     assert_eq!(last.iterations, report.iterations);
-    assert!((last.bending_energy / report.quality.bending_energy - 1.0).abs() < 1e-6);
+    assert_near!(last.bending_energy / report.quality.bending_energy, 1.0, 1e-6);
     let energies = coarse_energies(&report, shape.free_count());
     let least = energies.iter().copied().fold(f64::INFINITY, f64::min);
     assert!((least / last.bending_energy - 1.0).abs() < 0.1, "{energies:?}");
@@ -164,8 +166,11 @@ fn where_no_harmonic_surface_is_found_the_nearest_member_is_the_answer() {
             shape.free_count(),
             report.iterations
         );
-        assert!(weight > 0.0 && weight <= 1.0 && !report.linear_surface);
-        assert!(report.step <= 1e-8 && report.quality.is_sound());
+        assert_above!(weight, 0.0);
+        assert_at_most!(weight, 1.0);
+        assert!(!report.linear_surface);
+        assert_at_most!(report.step, 1e-8);
+        assert!(report.quality.is_sound(), "{:?}", report.quality);
         // Normals are met as triangles can.
         assert!(
             report.quality.normal_deviation_rms < deviation,
@@ -180,8 +185,11 @@ fn where_no_harmonic_surface_is_found_the_nearest_member_is_the_answer() {
 fn a_large_region_does_not_hang_on_the_interior_of_the_input() {
     let shape = sphere_cap(110.0, 3000, irregular(4), OUTSIDE);
     let solutions = starts(&shape, 9).map(|(_, start)| solve(&shape, &start, options(1e-8)));
-    assert!(solutions[0].report.outcome.is_success());
-    assert!(solutions[0].report.components[0].attempts[0].free_vertices < shape.free_count());
+    assert_success(&solutions[0].report.outcome);
+    assert_below!(
+        solutions[0].report.components[0].attempts[0].free_vertices,
+        shape.free_count()
+    );
     for solution in &solutions[1..] {
         assert_eq!(solution.positions, solutions[0].positions);
     }
@@ -262,11 +270,11 @@ fn most_of_a_sphere_is_found_along_the_normals() {
     let solution = solve(&shape, &start, options(1e-8));
     let report = &solution.report;
     assert_eq!(report.outcome, Outcome::Converged);
-    assert!(errors(&shape, &solution).max < 2e-9);
+    assert_below!(errors(&shape, &solution).max, 2e-9);
     assert_eq!(report.fallback_weights, report.free_vertices);
     assert!(report.iterations <= 20, "{}", report.iterations);
     let attempts = &report.components[0].attempts;
-    assert!(attempts.iter().any(|a| a.name == "along normals"));
+    assert!(attempts.iter().any(|a| a.name == "along normals"), "{attempts:?}");
     assert_eq!(attempts.last().unwrap().name, "from the coarse mesh");
 
     // A session goes on from there in the same way.

@@ -59,10 +59,10 @@ fn steps_give_the_bits_of_one_call() {
             assert_eq!(found.report.outcome, whole.report.outcome);
             assert_eq!(found.report.iterations, whole.report.iterations);
             assert_eq!(found.mean_curvature, whole.mean_curvature);
-            assert!(runs >= found.report.iterations / by);
+            assert_at_least!(runs, found.report.iterations / by);
             // The end is the end.
             let again = session.run(5, None).unwrap();
-            assert!(bits(again) == bits(&whole));
+            assert_same_items!(bits(again), bits(&whole));
         }
     }
 }
@@ -149,7 +149,7 @@ fn a_change_in_the_middle_of_a_run_holds_at_once() {
         },
     );
     assert_eq!(session.solution().report.outcome, Outcome::Converged);
-    assert!(distance(session.solution(), &fresh) < 30.0 * TOLERANCE);
+    assert_below!(distance(session.solution(), &fresh), 30.0 * TOLERANCE);
 }
 
 #[test]
@@ -161,12 +161,12 @@ fn wrong_changes_leave_things_as_they_are() {
     let v = shape.boundary_normals()[3].0;
     let wrong = session.set_boundary_normals(BoundaryNormals::Given(vec![(v, [0.0, 0.0, 2.0])]));
     assert_eq!(wrong, Err(Error::BadNormal { vertex: v as usize }));
-    assert!(matches!(
+    assert_matches!(
         session.set_target(Target::Constant(f64::NAN)),
         Err(Error::BadOption { name: "target", .. })
-    ));
+    );
     to_end(&mut session, 4);
-    assert!(bits(session.solution()) == bits(&whole));
+    assert_same_items!(bits(session.solution()), bits(&whole));
 }
 
 #[test]
@@ -182,9 +182,9 @@ fn the_callback_stops_a_run_after_one_iteration_and_it_goes_on_later() {
     let solution = session.run(100, Some(&mut stop)).unwrap();
     assert_eq!(solution.report.outcome, Outcome::Cancelled);
     assert_eq!(solution.report.iterations, 1);
-    assert!(called >= 1);
+    assert_at_least!(called, 1);
     to_end(&mut session, 100);
-    assert!(bits(session.solution()) == bits(&whole));
+    assert_same_items!(bits(session.solution()), bits(&whole));
 }
 
 #[test]
@@ -200,7 +200,7 @@ fn a_session_moves_to_another_thread_in_the_middle() {
         to_end(&mut moved, 3);
         moved
     });
-    assert!(bits(moved.join().unwrap().solution()) == bits(&whole));
+    assert_same_items!(bits(moved.join().unwrap().solution()), bits(&whole));
 }
 
 #[test]
@@ -221,15 +221,15 @@ fn every_attempt_of_the_ladder_can_be_held_up() {
         "{:?}, {} iterations",
         whole.report.outcome, whole.report.iterations
     );
-    assert!(!whole.report.outcome.is_success());
+    assert!(!whole.report.outcome.is_success(), "{:?}", whole.report.outcome);
     let mut session = session(&shape, &start, &asked);
     let runs = to_end(&mut session, 1);
     let found = session.solution();
-    assert!(bits(found) == bits(&whole));
+    assert_same_items!(bits(found), bits(&whole));
     assert_eq!(found.report.outcome, whole.report.outcome);
     assert_eq!(found.report.iterations, whole.report.iterations);
     assert_eq!(found.report.defect, whole.report.defect);
-    assert!(runs >= whole.report.iterations);
+    assert_at_least!(runs, whole.report.iterations);
 }
 
 #[test]
@@ -258,5 +258,5 @@ fn a_curve_that_gets_normals_is_the_problem_of_one_call() {
     to_end(&mut session, 7);
     let fresh = solve_given(&shape, &start, &normals, options(TOLERANCE));
     assert_eq!(session.solution().report.outcome, fresh.report.outcome);
-    assert!(distance(session.solution(), &fresh) < 30.0 * TOLERANCE);
+    assert_below!(distance(session.solution(), &fresh), 30.0 * TOLERANCE);
 }

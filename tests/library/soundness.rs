@@ -96,14 +96,24 @@ fn a_crease_along_the_boundary_is_no_success() {
         let Outcome::BoundaryCrease { vertices } = &solution.report.outcome else {
             panic!("{:?}", solution.report.outcome)
         };
-        assert!(vertices.is_sorted() && vertices.iter().all(|v| cube.boundary.contains(v)));
+        assert!(vertices.is_sorted(), "{vertices:?}");
+        assert_all!(vertices.iter(), |v| cube.boundary.contains(v));
         let quality = &solution.report.quality;
         let worst = quality.boundary_kink_vertex as u32;
-        assert!(vertices.contains(&worst));
-        assert!((kink(&cube, &solution.positions, worst) - quality.boundary_kink).abs() < 1e-6);
-        assert!((kink(&cube, &cube.positions, worst) - quality.boundary_kink_before).abs() < 1e-6);
-        assert!(quality.boundary_kink > 45.0);
-        assert!(!solution.report.linear_surface && !solution.report.outcome.remedy().is_empty());
+        assert_contains!(vertices, &worst);
+        assert_near!(
+            kink(&cube, &solution.positions, worst),
+            quality.boundary_kink,
+            1e-6
+        );
+        assert_near!(
+            kink(&cube, &cube.positions, worst),
+            quality.boundary_kink_before,
+            1e-6
+        );
+        assert_above!(quality.boundary_kink, 45.0);
+        assert!(!solution.report.linear_surface);
+        assert!(!solution.report.outcome.remedy().is_empty());
         named.push(vertices.clone());
     }
     assert_eq!(named[0], named[1], "the verdict depends on the inner fairness");
@@ -131,7 +141,7 @@ fn a_destroyed_interior_hides_no_crease() {
         destroyed.positions[v as usize] = [k as f64 * 7.0 % 5.0, k as f64 * 3.0 % 4.0, -(k as f64)];
     }
     let solution = destroyed.fair(&Options::default());
-    assert!(matches!(solution.report.outcome, Outcome::BoundaryCrease { .. }));
+    assert_matches!(solution.report.outcome, Outcome::BoundaryCrease { .. });
     assert_eq!(solution.positions, clean.positions);
 }
 
@@ -149,7 +159,7 @@ fn a_crease_that_given_normals_ask_for_is_a_success() {
     assert!(quality.boundary_kink > 60.0, "{}", quality.boundary_kink);
     assert!(quality.normal_deviation < 1e-6, "{}", quality.normal_deviation);
     for &v in &cube.free {
-        assert!((solution.positions[v as usize][2] - 6.0).abs() < 1e-6);
+        assert_near!(solution.positions[v as usize][2], 6.0, 1e-6);
     }
 }
 
@@ -209,7 +219,7 @@ fn figures_are_those_of_the_numbers_that_are_written() {
     let (shape, double) = written(OutputPrecision::Double);
     assert_eq!(double.report.outcome, Outcome::Converged);
     let angle = smallest_angle(&shape, &double.positions);
-    assert!((double.report.quality.worst_angle - angle).abs() < 1e-4);
+    assert_near!(double.report.quality.worst_angle, angle, 1e-4);
 
     let (shape, single) = written(OutputPrecision::Single);
     let Outcome::PoorWhenRounded { triangles } = &single.report.outcome else {
@@ -219,7 +229,8 @@ fn figures_are_those_of_the_numbers_that_are_written() {
     let mut poor = [&quality.flipped[..], &quality.needles].concat();
     poor.sort_unstable();
     poor.dedup();
-    assert!(!poor.is_empty() && *triangles == poor);
+    assert!(!poor.is_empty());
+    assert_eq!(*triangles, poor);
     let rounded: Vec<[f64; 3]> = single
         .positions
         .iter()
@@ -235,7 +246,8 @@ fn figures_are_those_of_the_numbers_that_are_written() {
     }
     let angle = smallest_angle(&shape, &rounded);
     assert!((quality.worst_angle - angle).abs() < 1e-4, "{angle}");
-    assert!(!single.report.outcome.is_success() && !single.report.outcome.remedy().is_empty());
+    assert!(!single.report.outcome.is_success(), "{:?}", single.report.outcome);
+    assert!(!single.report.outcome.remedy().is_empty());
 }
 
 /// Near the origin floats are fine enough, and a session says what a single call does.
@@ -283,7 +295,8 @@ fn a_fixed_triangle_has_no_part_in_the_figures() {
     .unwrap();
     let quality = &solution.report.quality;
     assert_ne!(quality.worst_triangle, 0);
-    assert!(!quality.needles.contains(&0) && !quality.flipped.contains(&0));
+    assert!(!quality.needles.contains(&0), "{:?}", quality.needles);
+    assert!(!quality.flipped.contains(&0), "{:?}", quality.flipped);
 }
 
 /// A round hole with one edge of nearly no length, in line with the next one: the patch has a face without an angle, which
@@ -373,7 +386,7 @@ fn coordinates_beyond_the_range_of_lengths_are_refused_by_name() {
         let Error::CoordinateTooLarge { coordinate, .. } = error else {
             panic!("{error:?}")
         };
-        assert!(coordinate.abs() > 1e153);
+        assert_above!(coordinate.abs(), 1e153);
         let text = error.to_string();
         assert!(
             text.len() < 120 && text.contains("e1") | text.contains("e2") | text.contains("e3"),

@@ -150,7 +150,7 @@ fn the_profiles_are_integrated_to_1e_12() {
     // A profile of constant mean curvature has the first integral r sin phi + H r^2.
     let unduloid = Profile::new(Target::Constant(0.0), -0.45, 2.0);
     for y in &unduloid.table {
-        assert!((y[0] * y[2].sin() + y[3] * y[0] * y[0] - 0.55).abs() < 1e-12);
+        assert_near!(y[0] * y[2].sin() + y[3] * y[0] * y[0], 0.55, 1e-12);
     }
     // With the flux c (enclosed area) / (2 pi) the two routes to (r H')' agree.
     let loaded = Profile::new(Target::Constant(0.4), -0.5, 2.0);
@@ -159,11 +159,12 @@ fn the_profiles_are_integrated_to_1e_12() {
     let odd: f64 = (1..n).step_by(2).map(r).sum();
     let even: f64 = (2..n).step_by(2).map(r).sum();
     let area = (r(0) + 4.0 * odd + 2.0 * even + r(n)) * STEP / 3.0;
-    assert!((loaded.table[n][4] - 0.4 * area).abs() < 1e-12);
+    assert_near!(loaded.table[n][4], 0.4 * area, 1e-12);
     // A sphere is of minimal energy.
     let sphere = Profile::new(Target::MinimalEnergy, -1.0, 1.2);
     for y in &sphere.table {
-        assert!((y[0].hypot(y[1]) - 1.0).abs() < 1e-12 && (y[3] + 1.0).abs() < 1e-12);
+        assert_near!(y[0].hypot(y[1]), 1.0, 1e-12);
+        assert_near!(y[3], -1.0, 1e-12);
     }
 }
 
@@ -263,7 +264,7 @@ fn spheres_are_surfaces_of_minimal_energy() {
                 "cap {n} {seed}: {error:.1e}, {} iterations",
                 solution.report.iterations
             );
-            assert!(solution.report.outcome.is_success());
+            assert_success(&solution.report.outcome);
             assert!(error < 1e-9, "{error}");
             let k = Errors::of(solution.gaussian_curvature.iter().map(|(_, k)| k - 1.0)).max;
             assert!(k < 1e-4, "K off by {k}");
@@ -277,7 +278,7 @@ fn cylinders_are_not() {
     for n in [1_000, 13_000] {
         let shape = cylinder_band(n, irregular(7), OUTSIDE);
         let solution = solve(&shape, &flat(&shape), asked(Target::MinimalEnergy, TIGHT));
-        assert!(solution.report.outcome.is_success());
+        assert_success(&solution.report.outcome);
         found.push(errors(&shape, &solution).max);
     }
     println!("{found:?} of the diagonal");
@@ -299,12 +300,13 @@ fn a_constant_on_the_blend_of_cylinders() {
                 report.iterations, report.defect
             );
             assert!(report.outcome.is_success(), "{s}: {:?}", report.outcome);
-            assert!(report.iterations <= 15 && report.defect < 1e-5);
+            assert_at_most!(report.iterations, 15);
+            assert_below!(report.defect, 1e-5);
             solution
         });
         // A positive constant pushes outwards: at the poles, the free vertices with the largest |z|, up.
         let height = |s: &Solution| s.positions.iter().map(|p| p[2]).fold(0.0, f64::max);
-        assert!(height(&solved[0]) > height(&solved[1]));
+        assert_above!(height(&solved[0]), height(&solved[1]));
     }
 }
 
@@ -323,11 +325,12 @@ fn what_is_too_large_ends_honestly() {
             "{strength}: {outcome:?}, {} iterations",
             solution.report.iterations
         );
-        assert!(!outcome.is_success());
+        assert!(!outcome.is_success(), "{outcome:?}");
         if let Outcome::TargetNotReachable { reached } = outcome {
-            assert!((0.0..1.0).contains(reached) && solution.report.linear_surface);
+            assert_contains!(0.0..1.0, reached);
+            assert!(solution.report.linear_surface, "{:?}", solution.report.outcome);
         }
-        assert!(solution.positions.iter().flatten().all(|x| x.is_finite()));
+        assert_all!(solution.positions.iter().flatten(), |x| x.is_finite());
         for (v, p) in solution
             .positions
             .iter()
@@ -339,7 +342,7 @@ fn what_is_too_large_ends_honestly() {
     }
     for c in [f64::NAN, f64::INFINITY] {
         let refused = attempt(&shape, asked(Target::Constant(c), 1e-8));
-        assert!(matches!(refused, Err(Error::BadOption { name: "target", .. })));
+        assert_matches!(refused, Err(Error::BadOption { name: "target", .. }));
     }
 }
 
@@ -385,7 +388,9 @@ fn the_unit_of_length_does_not_matter() {
             let k = one.gaussian_curvature.iter().zip(&other.gaussian_curvature);
             let k = Errors::of(k.map(|(a, b)| a.1 - b.1 * s * s)).max;
             println!("{target:?} x {s}: {off:.1e}, H {h:.1e}, K {k:.1e}");
-            assert!(off < 1e-8 && h < 1e-5 && k < 1e-5);
+            assert_below!(off, 1e-8);
+            assert_below!(h, 1e-5);
+            assert_below!(k, 1e-5);
             assert_eq!(one.report.outcome, other.report.outcome);
             if s == 8.0 {
                 assert_eq!(one.positions, back, "powers of two round nothing");
@@ -410,9 +415,9 @@ fn turning_the_surface_inside_out_changes_the_sign_of_the_constant() {
         let b = solve(&turned, &start, asked(other, TIGHT));
         let off = apart(&a.positions, &b.positions);
         println!("{target:?}: {off:.1e}");
-        assert!(off < 1e-8);
+        assert_below!(off, 1e-8);
         let opposite = a.mean_curvature.iter().zip(&b.mean_curvature);
-        assert!(Errors::of(opposite.map(|(a, b)| a.1 + b.1)).max < 1e-4);
+        assert_below!(Errors::of(opposite.map(|(a, b)| a.1 + b.1)).max, 1e-4);
     }
 }
 
@@ -434,7 +439,7 @@ fn the_papers_discretization_takes_targets_too() {
         });
         let off = apart(&second.positions, &paper.positions) / second.report.diagonal;
         println!("{target:?}: {} apart {off:.1e}", paper.report.outcome.name());
-        assert!(paper.report.outcome.is_success());
+        assert_success(&paper.report.outcome);
         assert!(off < 2.5e-4, "{off:.1e}");
     }
 }
@@ -448,6 +453,6 @@ fn fitted_boundary_normals_and_targets() {
         ..asked(Target::MinimalEnergy, TIGHT)
     };
     let solution = solve_as_asked(&shape, &flat(&shape), options);
-    assert!(solution.report.outcome.is_success());
-    assert!(errors(&shape, &solution).max < 1e-9);
+    assert_success(&solution.report.outcome);
+    assert_below!(errors(&shape, &solution).max, 1e-9);
 }
