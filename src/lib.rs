@@ -12,6 +12,11 @@
 // The same bits on every system: clippy.toml has the list.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
+#[cfg(test)]
+#[macro_use]
+#[path = "../tests/common/asserts.rs"]
+mod asserts;
+
 mod discrete;
 mod fairing;
 mod holes;

@@ -181,6 +181,6 @@ mod tests {
         let told = json([&of]);
         assert_eq!(told[0]["largest_jump"], 0.0075);
         assert_eq!(told[0]["uncertainty"], Value::Null);
-        assert!(lines(&[])[0].starts_with("not reached: "));
+        assert_begins!(lines(&[])[0], "not reached: ");
     }
 }

@@ -142,12 +142,12 @@ mod tests {
             }),
             "triangle 1 names vertex 5 twice (vertex 5 is at 2 1.5 0); remove the degenerate triangles first"
         );
-        assert!(
+        assert_begins!(
             told(Error::DuplicateTriangle {
                 triangle: 2,
                 other: 1
-            })
-            .starts_with("triangle 1 has the same")
+            }),
+            "triangle 1 has the same"
         );
         let twisted = Error::InconsistentOrientation {
             a: 1,
@@ -155,16 +155,17 @@ mod tests {
             triangle: 2,
             other: 0,
         };
-        assert!(told(twisted).starts_with("triangles 0 and 1 run"));
-        assert!(
+        assert_begins!(told(twisted), "triangles 0 and 1 run");
+        assert_contains!(
             told(Error::NonManifoldEdge {
                 a: 1,
                 b: 4,
                 triangle: 3
-            })
-            .contains("triangle 1 (vertex 1 is at 1 0 0)")
+            }),
+            "triangle 1 (vertex 1 is at 1 0 0)"
         );
         // A vertex that does not exist has no place.
-        assert!(!told(Error::NotFinite { vertex: 6 }).contains(" is at "));
+        let told = told(Error::NotFinite { vertex: 6 });
+        assert!(!told.contains(" is at "), "{told}");
     }
 }

@@ -2,6 +2,11 @@
 
 #![allow(unreachable_pub, reason = "nothing of a program is reachable from outside")]
 
+#[cfg(test)]
+#[macro_use]
+#[path = "../../tests/common/asserts.rs"]
+mod asserts;
+
 mod answer;
 mod attempts;
 mod bar;

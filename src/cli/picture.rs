@@ -278,7 +278,8 @@ mod tests {
         let (low, high) = (pixel(&shown, 6, 30), pixel(&shown, 53, 30));
         assert!(low[2] > 2 * low[1] || low[2] > low[0], "{low:?}");
         assert!(high[0] > 2 * high[2], "{high:?}");
-        assert!(shown.1[0] > 60 && shown.1[1] > 60);
+        assert_above!(shown.1[0], 60);
+        assert_above!(shown.1[1], 60);
         // Ink below the tile, and the bar beside it.
         assert!((0..60).any(|x| (62..shown.1[1]).any(|y| pixel(&shown, x, y)[0] < 128)));
         assert_ne!(pixel(&shown, 75, 40), [255; 3]);

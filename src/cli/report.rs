@@ -490,7 +490,8 @@ mod tests {
         assert_eq!(json["suspicious_normals"], json!([4]));
         assert_eq!(json["seconds"]["setup"], 0.25);
         assert_eq!(json["seconds"]["total"], 6.5);
-        assert!(json["reason"].is_string() && json["advice"].is_string());
+        assert!(json["reason"].is_string(), "{json}");
+        assert!(json["advice"].is_string(), "{json}");
         let pairs = json!({ "count": 1, "list": [[0, 1]], "in_input": 1 });
         assert_eq!(json["intersections"], pairs);
         let text = summary.readable();
@@ -532,7 +533,7 @@ mod tests {
                 is_verbose: false,
                 asks_continuity: false,
             };
-            assert!(summary.readable().contains("\n  what to do:"));
+            assert_contains!(summary.readable(), "\n  what to do:");
         }
         assert_eq!(Outcome::Converged.remedy(), "");
     }

@@ -399,9 +399,9 @@ mod tests {
         let (ring, flaps) = graph(sphere, 0.7);
         for mu in [TILT_RIDGE, NO_TILT] {
             let c = fit(&ring, &flaps, mu);
-            assert!((c.h.0[0] + 0.5).abs() < 1e-14);
-            assert!((c.k.0[0] - 0.25).abs() < 1e-14);
-            assert!((lane(&c.normal, 0) - Vector3::z()).norm() < 1e-14);
+            assert_near!(c.h.0[0], -0.5, 1e-14);
+            assert_near!(c.k.0[0], 0.25, 1e-14);
+            assert_below!((lane(&c.normal, 0) - Vector3::z()).norm(), 1e-14);
         }
     }
 
@@ -430,7 +430,7 @@ mod tests {
         let n = one(&Vector3::z());
         let (h, _) = moreton_sequin(&n, samples.into_iter());
         // The projected direction is used with the whole length, so this is exact only in the limit of small r.
-        assert!((h.0[0] - 1.0).abs() < 0.05);
+        assert_near!(h.0[0], 1.0, 0.05);
     }
 
     #[test]
@@ -439,7 +439,7 @@ mod tests {
         let up = fit(&ring, &flaps, TILT_RIDGE).h.0[0];
         let n = max_normal(&ring_of(ring.iter().copied())).map(|x| -x);
         let down = fit_with(&n, &ring, &flaps, TILT_RIDGE).h.0[0];
-        assert!((up + down).abs() < 1e-12 * up.abs());
+        assert_below!((up + down).abs(), 1e-12 * up.abs());
     }
 
     #[test]

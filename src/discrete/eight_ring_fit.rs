@@ -116,7 +116,7 @@ mod tests {
     #[test]
     fn spheres_are_exact_and_rounding_is_averaged_away() {
         let shape = sphere_cap(60.0, 4_000, Sampling::Irregular { seed: 7 }, 10);
-        assert!(worst(&shape, &shape.positions)[0] < 1e-9);
+        assert_below!(worst(&shape, &shape.positions)[0], 1e-9);
         let rounded = |c: f64| f64::from((c + 1_000.0) as f32);
         let far: Vec<_> = shape.positions.iter().map(|p| p.map(rounded)).collect();
         let [eight, three] = worst(&shape, &far);

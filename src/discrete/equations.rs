@@ -451,14 +451,18 @@ mod tests {
             };
             assert_eq!(batches.chunks.len(), 1);
             equations.free_chunk::<true>(&x, &batches.chunks[0], &mut output);
-            assert!(
-                wide.normal == plain.normal && wide.corrected == plain.corrected && wide.inner == plain.inner
-            );
-            assert!(wide.h == plain.h && wide.k == plain.k && wide.area == plain.area);
-            assert!(wide.response == plain.response && wide.weight == plain.weight);
+            assert_eq!(wide.normal, plain.normal);
+            assert_eq!(wide.corrected, plain.corrected);
+            assert_eq!(wide.inner, plain.inner);
+            assert_eq!(wide.h, plain.h);
+            assert_eq!(wide.k, plain.k);
+            assert_eq!(wide.area, plain.area);
+            assert_eq!(wide.response, plain.response);
+            assert_eq!(wide.weight, plain.weight);
             let mut tangential = State::new(&batches, region.boundary);
             equations.evaluate_inner(&x, &mut tangential);
-            assert!(tangential.normal == wide.normal && tangential.inner == wide.inner);
+            assert_eq!(tangential.normal, wide.normal);
+            assert_eq!(tangential.inner, wide.inner);
             equations.boundary_normals_at(&x, &mut wide);
             for b in 0..region.boundary {
                 let plain = equations.boundary_fit(&x, &wide.corrected, b);

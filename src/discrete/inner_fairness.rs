@@ -240,7 +240,7 @@ mod tests {
             let mut sum = Vector3::zeros();
             for (k, &j) in rings.ring(i).iter().enumerate() {
                 let w = weights.at(first + k, lane);
-                assert!(w > 0.0);
+                assert_above!(w, 0.0);
                 sum += (x[j as usize] - x[i]) * w;
             }
             assert!(sum.norm() < 1e-14, "vertex {i}: {}", sum.norm());
@@ -259,8 +259,8 @@ mod tests {
         let ring = rings.ring(0).to_vec();
         ring.iter().for_each(|&j| x[j as usize] = x[0]);
         let weights = FairnessWeights::convex(&batches, &x);
-        assert!(weights.clamped > 0);
-        let mut all = weights.slots.iter().flatten().flatten();
-        assert!(all.all(|w| *w > 0.0 && w.is_finite()));
+        assert_above!(weights.clamped, 0);
+        let all = weights.slots.iter().flatten().flatten();
+        assert_all!(all, |w| *w > 0.0 && w.is_finite());
     }
 }

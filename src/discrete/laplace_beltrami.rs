@@ -82,10 +82,10 @@ mod tests {
         for k in 0..m {
             let (before, here, after) = (&p[(k + m - 1) % m], &p[k], &p[(k + 1) % m]);
             let want = cotangent(before, &q, here) + cotangent(after, here, &q);
-            assert!((w[k] - want).abs() < 1e-13);
+            assert_near!(w[k], want, 1e-13);
             sum += area(&q, here, after);
         }
-        assert!((total - sum).abs() < 1e-14);
+        assert_near!(total, sum, 1e-14);
     }
 
     #[test]
@@ -97,7 +97,7 @@ mod tests {
         let q = Vector3::new(0.05, 0.1, 0.0);
         let (w, _) = weights(&q, &p);
         let residual: Vector3<f64> = p.iter().zip(&w).map(|(x, &w)| (x - q) * w).sum();
-        assert!(residual.norm() < 1e-13);
+        assert_below!(residual.norm(), 1e-13);
     }
 
     #[test]
@@ -116,7 +116,7 @@ mod tests {
             let mut step = Vector3::zeros();
             step[d] = 1e-6;
             let slope = (weights(&(q + step), &p).1 - weights(&(q - step), &p).1) / 2e-6;
-            assert!((slope - gradient[d]).abs() < 1e-9);
+            assert_near!(slope, gradient[d], 1e-9);
         }
     }
 
@@ -124,6 +124,6 @@ mod tests {
     fn a_triangle_without_area_gives_finite_weights() {
         let q = Vector3::zeros();
         let p = [Vector3::x(), Vector3::x() * 2.0, Vector3::x() * -1.0];
-        assert!(weights(&q, &p).0.iter().all(|w| w.is_finite()));
+        assert_all!(weights(&q, &p).0.iter(), |w| w.is_finite());
     }
 }

@@ -114,12 +114,12 @@ mod tests {
         for (i, a) in modes.modes.iter().enumerate() {
             for (j, b) in modes.modes.iter().enumerate() {
                 let product = modes.product(a, b);
-                assert!((product - f64::from(u8::from(i == j))).abs() < 1e-12);
+                assert_near!(product, f64::from(u8::from(i == j)), 1e-12);
             }
         }
         let wave: Vec<f64> = (0..40).map(|k| 0.3 + (2.0 * at(k)).cos()).collect();
         let projected = modes.projected(&wave);
         let error = projected.iter().zip(&wave).map(|(a, b)| (a - b).abs());
-        assert!(error.fold(0.0, f64::max) < 0.01);
+        assert_below!(error.fold(0.0, f64::max), 0.01);
     }
 }

@@ -48,19 +48,22 @@ mod tests {
     fn lies_on_the_sphere_through_both_ends() {
         let (a, b) = (Vector3::new(1.0, 0.0, 0.0), Vector3::new(0.36, 0.48, 0.8));
         let p = sample(a, b, a, b);
-        assert!((p.norm() - 1.0).abs() < 1e-15);
-        assert!((p - (a + b).normalize()).norm() < 1e-15);
+        assert_near!(p.norm(), 1.0, 1e-15);
+        assert_below!((p - (a + b).normalize()).norm(), 1e-15);
         // The same circle seen from inside.
-        assert!((sample(a, b, -a, -b) - p).norm() < 1e-15);
+        assert_below!((sample(a, b, -a, -b) - p).norm(), 1e-15);
     }
 
     #[test]
     fn is_the_midpoint_of_a_flat_edge_and_of_an_antisymmetric_inflection() {
         let (a, b) = (Vector3::zeros(), Vector3::new(2.0, 0.0, 0.0));
         let z = Vector3::z();
-        assert!((sample(a, b, z, z) - Vector3::new(1.0, 0.0, 0.0)).norm() < 1e-15);
+        assert_below!((sample(a, b, z, z) - Vector3::new(1.0, 0.0, 0.0)).norm(), 1e-15);
         let tilted = Vector3::new(0.3, 0.0, 1.0).normalize();
-        assert!((sample(a, b, tilted, tilted) - Vector3::new(1.0, 0.0, 0.0)).norm() < 1e-15);
+        assert_below!(
+            (sample(a, b, tilted, tilted) - Vector3::new(1.0, 0.0, 0.0)).norm(),
+            1e-15
+        );
     }
 
     #[test]

@@ -225,10 +225,10 @@ mod tests {
         let h = mean_curvature(&positions, &triangles).unwrap();
         let large: Vec<[f64; 3]> = positions.iter().map(|p| p.map(|x| 1024.0 * x)).collect();
         let scaled = mean_curvature(&large, &triangles).unwrap();
-        assert!(h.iter().zip(&scaled).all(|(a, b)| *a == 1024.0 * b));
+        assert_all!(h.iter().zip(&scaled), |(a, b)| *a == 1024.0 * b);
         triangles.iter_mut().for_each(|t| t.swap(0, 1));
         let turned = mean_curvature(&positions, &triangles).unwrap();
-        assert!(h.iter().zip(&turned).all(|(a, b)| (a + b).abs() < 1e-9));
+        assert_all!(h.iter().zip(&turned), |(a, b)| (a + b).abs() < 1e-9);
     }
 
     #[test]

@@ -225,8 +225,8 @@ mod tests {
     #[test]
     fn both_orders_are_exact_on_spheres() {
         let shape = sphere_cap(60.0, 1000, Sampling::Irregular { seed: 7 }, 4);
-        assert!(worst(&SECOND, &shape) < 1e-9);
-        assert!(worst(&THIRD, &shape) < 1e-9);
+        assert_below!(worst(&SECOND, &shape), 1e-9);
+        assert_below!(worst(&THIRD, &shape), 1e-9);
     }
 
     #[test]

@@ -245,9 +245,9 @@ mod tests {
                 (&x, &n, 0.0),
                 (&y, &n, 0.0),
             ] {
-                assert!((dot(a, b).0[0] - want).abs() < 1e-15);
+                assert_near!(dot(a, b).0[0], want, 1e-15);
             }
-            assert!((dot(&cross(&x, &y), &n).0[0] - 1.0).abs() < 1e-15);
+            assert_near!(dot(&cross(&x, &y), &n).0[0], 1.0, 1e-15);
         }
     }
 }

@@ -110,6 +110,7 @@ mod tests {
         let at = |c: f64, scale: f64| Target::Constant(c).right_hand_side(scale);
         assert_eq!(at(8.0, 1.0), at(1.0, 2.0));
         assert_eq!(at(1.0, 1.0).share(0.25).at(3.0, -7.0), 0.25);
-        assert!(at(0.0, 4.0).is_zero() && Target::Harmonic.right_hand_side(2.0).is_zero());
+        assert!(at(0.0, 4.0).is_zero());
+        assert!(Target::Harmonic.right_hand_side(2.0).is_zero());
     }
 }

@@ -143,11 +143,13 @@ mod tests {
                 .map(move |(k, (e, ring))| f(e.x, e.y) + if ring == 1 { [error, -error][k % 2] } else { 0.0 })
         };
         let [value, error] = trace.value(values(0.0));
-        assert!((value - 0.3).abs() < 1e-7 && error < 1e-7);
+        assert_near!(value, 0.3, 1e-7);
+        assert_below!(error, 1e-7);
         let [value, error] = trace.value(values(0.1));
-        assert!((value - 0.3).abs() < 0.01 && error > 0.001);
+        assert_near!(value, 0.3, 0.01);
+        assert_above!(error, 0.001);
         let sum: f64 = trace.weights().iter().zip(values(0.1)).map(|(w, f)| w * f).sum();
-        assert!((sum - value).abs() < 1e-12);
+        assert_near!(sum, value, 1e-12);
         assert!(Trace::new(&Vector3::z(), Reach::Near, (0..8).map(at)).is_none());
     }
 }

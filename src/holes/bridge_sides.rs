@@ -347,7 +347,7 @@ mod tests {
     fn sides_on_a_parallel_of_a_sphere_stay_on_it_with_its_normals() {
         let (from, to) = (on_sphere(0.0, 0.3, 1.0), on_sphere(1.0, 0.3, -1.0));
         let side = Side::new(&from, &to);
-        assert!(side.twist(&to.normal).abs() < 1e-4);
+        assert_below!(side.twist(&to.normal).abs(), 1e-4);
         for (x, n) in side.points(10, 0.1, 0.1) {
             assert!((x.norm() - 1.0).abs() < 2e-4, "{}", x.norm() - 1.0);
             assert!(
@@ -375,11 +375,8 @@ mod tests {
             (first - 0.1).abs() < 0.02 && (last - 1.0).abs() < 0.2,
             "{first} {last}"
         );
-        assert!(
-            points
-                .iter()
-                .all(|(x, n)| x.y == 0.0 && x.z == 0.0 && *n == Vector3::z())
-        );
+        assert_all!(points.iter(), |(x, _)| x.y == 0.0 && x.z == 0.0);
+        assert_all!(points.iter(), |(_, n)| *n == Vector3::z());
     }
 
     #[test]
@@ -390,9 +387,9 @@ mod tests {
             normal: Vector3::z() * normal,
         };
         let side = Side::new(&corner(1.0, 1.0), &corner(-1.0, -1.0));
-        assert!(side.twist(&-Vector3::z()).abs() < 1e-9);
-        assert!((side.way[STEPS] - std::f64::consts::PI).abs() < 0.06);
+        assert_below!(side.twist(&-Vector3::z()).abs(), 1e-9);
+        assert_near!(side.way[STEPS], std::f64::consts::PI, 0.06);
         // Facing the same way, the strip would have to be turned over.
-        assert!((side.twist(&Vector3::z()).abs() - std::f64::consts::PI).abs() < 1e-9);
+        assert_near!(side.twist(&Vector3::z()).abs(), std::f64::consts::PI, 1e-9);
     }
 }

@@ -318,12 +318,12 @@ mod tests {
             .collect();
         assert_eq!(around.len(), 3);
         let erased = erase(&x, &t, &around, Coincident::default()).unwrap();
-        assert!(!erased.kept.contains(&36));
+        assert!(!erased.kept.contains(&36), "{:?}", erased.kept);
         assert_eq!(erased.loops.len(), 1);
         let kept: Vec<[u32; 3]> = erased.kept.iter().map(|&i| t[i as usize]).collect();
         let loops = crate::holes::boundary_loops(&x, &kept).unwrap();
         assert_eq!(loops.len(), 2);
-        assert!(loops.iter().all(|of| of.touching.is_empty()));
+        assert_all!(loops.iter(), |of| of.touching.is_empty());
         assert!(erase(&x, &t, &[128], Coincident::default()).is_err());
     }
 
@@ -348,6 +348,6 @@ mod tests {
         assert_eq!(clean(&x, 1).cleaned, 1);
         // Folded over the next one.
         x[3 * 9 + 4] = [1.0, 4.0, 0.1];
-        assert!(clean(&x, 100).cleaned > 0);
+        assert_above!(clean(&x, 100).cleaned, 0);
     }
 }

@@ -91,11 +91,12 @@ mod tests {
         let mut last = 0.0;
         for edges in edges {
             let (done, share) = work.share(edges);
-            assert!(done > last && share > 0.0);
+            assert_above!(done, last);
+            assert_above!(share, 0.0);
             last = done;
             work.end(edges);
         }
-        assert!((work.share(0).0 - 1.0).abs() < 1e-12);
+        assert_near!(work.share(0).0, 1.0, 1e-12);
     }
 
     #[test]

@@ -266,7 +266,7 @@ mod tests {
         for radius in [0.9, 0.98] {
             let mut patch = wheel(radius);
             patch.size.fill(0.5);
-            assert!(worst(&patch) < 12.0);
+            assert_below!(worst(&patch), 12.0);
             let fineness = Fineness {
                 factor: 1.0,
                 growth: 0.0,
@@ -291,6 +291,6 @@ mod tests {
         };
         Refiner::new(&mut patch, fineness, &[]).run_again();
         patch.validate().unwrap();
-        assert!(patch.x.len() <= 12 + 13);
+        assert_at_most!(patch.x.len(), 12 + 13);
     }
 }

@@ -193,16 +193,10 @@ mod tests {
         let regular = square(|a, b| Vector3::new(a, b, 0.0));
         let mut patch = regular.clone();
         relax(&mut patch);
-        assert!(
-            patch
-                .x
-                .iter()
-                .zip(&regular.x)
-                .all(|(p, q)| (p - q).norm() < 1e-15)
-        );
+        assert_all!(patch.x.iter().zip(&regular.x), |(p, q)| (p - q).norm() < 1e-15);
         let mut patch = square(|a, b| Vector3::new(a + 0.2 * (3.0 * b).sin(), b + 0.2 * a.cos(), 0.0));
         (0..60).for_each(|_| relax(&mut patch));
-        assert!(patch.x.iter().zip(&regular.x).all(|(p, q)| (p - q).norm() < 1e-6));
+        assert_all!(patch.x.iter().zip(&regular.x), |(p, q)| (p - q).norm() < 1e-6);
     }
 
     #[test]
@@ -226,7 +220,7 @@ mod tests {
         let sizes = patch.size.clone();
         (0..3).for_each(|_| Sweeps::default().settle_sizes(&mut patch));
         // A linear function is harmonic here.
-        assert!(patch.size.iter().zip(&sizes).all(|(a, b)| (a - b).abs() < 1e-12));
-        assert!((patch.depth[24] - 1.0).abs() < 1e-12);
+        assert_all!(patch.size.iter().zip(&sizes), |(a, b)| (a - b).abs() < 1e-12);
+        assert_near!(patch.depth[24], 1.0, 1e-12);
     }
 }

@@ -461,8 +461,8 @@ mod tests {
         let x = [[0., 0.], [2., 0.], [2., 2.], [1., 0.5], [0., 2.]].map(|[x, y]| [x, y, 0.0]);
         let triangles = triangulate(&x, &[]).unwrap();
         let areas: Vec<f64> = triangles.iter().map(|t| signed_area(&x, t)).collect();
-        assert!(areas.iter().all(|&a| a > 0.0));
-        assert!((areas.iter().sum::<f64>() - 2.5).abs() < 1e-12);
+        assert_all!(areas.iter(), |&a| a > 0.0);
+        assert_near!(areas.iter().sum::<f64>(), 2.5, 1e-12);
     }
 
     #[test]
@@ -486,8 +486,8 @@ mod tests {
             };
             normal(&t[0]).dot(&normal(&t[1]))
         };
-        assert!(bend(&triangles) >= bend(&[[0, 1, 2], [0, 2, 3]]) - 1e-12);
-        assert!(bend(&triangles) >= bend(&[[0, 1, 3], [1, 2, 3]]) - 1e-12);
+        assert_at_least!(bend(&triangles), bend(&[[0, 1, 2], [0, 2, 3]]) - 1e-12);
+        assert_at_least!(bend(&triangles), bend(&[[0, 1, 3], [1, 2, 3]]) - 1e-12);
     }
 
     #[test]
@@ -520,7 +520,7 @@ mod tests {
             })
             .sum();
         let areas: Vec<f64> = triangles.iter().map(|t| signed_area(&x, t)).collect();
-        assert!((areas.iter().sum::<f64>() - exact).abs() < 1e-9);
-        assert!(areas.iter().all(|&a| a > -1e-12));
+        assert_near!(areas.iter().sum::<f64>(), exact, 1e-9);
+        assert_all!(areas.iter(), |&a| a > -1e-12);
     }
 }

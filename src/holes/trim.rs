@@ -134,7 +134,8 @@ mod tests {
         };
         let all = trim(100, None);
         assert_eq!(all.kept, (0..t.len() as u32 - 1).collect::<Vec<_>>());
-        assert!(all.area > 0.3 && all.area < 0.5);
+        assert_above!(all.area, 0.3);
+        assert_below!(all.area, 0.5);
         assert_eq!(trim(0, None).kept.len(), t.len());
         assert_eq!(trim(100, Some(0.1)).kept.len(), t.len());
         // At the other loop two corners of the sheet hang by one edge, and what these lay bare.
@@ -149,12 +150,12 @@ mod tests {
             triangles: 1,
             area: Some(-1.0),
         };
-        assert!(matches!(
+        assert_matches!(
             trim_boundary(&x, &t, &[hole], &wrong, Coincident::default()),
             Err(Error::BadOption {
                 name: "trim_area",
                 ..
             })
-        ));
+        );
     }
 }

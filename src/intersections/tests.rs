@@ -160,7 +160,7 @@ fn the_tree_finds_what_all_pairs_have() {
             }
         }
     }
-    assert!(expected.len() > 1_000);
+    assert_above!(expected.len(), 1_000);
     assert_eq!(of_all(&x, &triangles), expected);
     let asked: Vec<u32> = (0..1_500).step_by(7).rev().collect();
     let has_asked = |pair: &&[u32; 2]| pair.iter().any(|t| t % 7 == 0);
@@ -168,7 +168,7 @@ fn the_tree_finds_what_all_pairs_have() {
     assert_eq!(of_some(&x, &triangles, &asked, usize::MAX), part);
     let few = of_some(&x, &triangles, &asked, 10);
     assert_eq!(few.len(), 10);
-    assert!(few.iter().all(|pair| part.contains(pair)));
+    assert_all!(few.iter(), |pair| part.contains(pair));
 }
 
 #[test]

@@ -391,7 +391,8 @@ mod tests {
         anderson.clear();
         let f = map.step(&x);
         anderson.accelerate(&f, 1.0, &mut out);
-        assert!(out == f && anderson.depth() == 0);
+        assert_eq!(out, f);
+        assert_eq!(anderson.depth(), 0);
     }
 
     #[test]
@@ -420,6 +421,7 @@ mod tests {
             pool.install(|| iterate(&map, 5, 8)).1
         };
         let one = run(1);
-        assert!(one == run(2) && one == run(3));
+        assert_same_items!(one, run(2));
+        assert_same_items!(one, run(3));
     }
 }

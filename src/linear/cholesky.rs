@@ -393,12 +393,9 @@ mod tests {
                 let (y, defect) = residual::<f64, 3>(&pattern, &values, &factor);
                 assert!(defect < 1e-11, "{defect}");
                 let scale = x.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
-                assert!(
-                    x.iter()
-                        .flatten()
-                        .zip(y.iter().flatten())
-                        .all(|(a, b)| (a - b).abs() < 1e-10 * scale)
-                );
+                for (a, b) in x.iter().flatten().zip(y.iter().flatten()) {
+                    assert_near!(a, b, 1e-10 * scale);
+                }
             }
         }
     }
@@ -422,7 +419,7 @@ mod tests {
         let mut one: Vec<[f64; 1]> = three.iter().map(|b| [b[2]]).collect();
         factor.solve(&mut three, &mut SolveWork::default());
         factor.solve(&mut one, &mut SolveWork::default());
-        assert!(three.iter().zip(&one).all(|(a, b)| a[2] == b[0]));
+        assert_all!(three.iter().zip(&one), |(a, b)| a[2] == b[0]);
     }
 
     #[test]
@@ -446,7 +443,7 @@ mod tests {
             factor.solve(&mut x, &mut SolveWork::default());
             for (i, [x]) in x.iter().enumerate() {
                 let exact = (i + 1) as f64 * (n as usize - i) as f64;
-                assert!((x - exact).abs() < 1e-9 * 250_000.0);
+                assert_near!(x, exact, 1e-9 * 250_000.0);
             }
         }
     }
@@ -477,7 +474,7 @@ mod tests {
         factored::<f64>(&pattern, &order, &values).solve(&mut x, &mut SolveWork::default());
         for r in 0..side {
             for c in 0..side {
-                assert!((x[id(r, c) as usize][0] - (3 + 2 * c - r) as f64).abs() < 1e-11);
+                assert_near!(x[id(r, c) as usize][0], (3 + 2 * c - r) as f64, 1e-11);
             }
         }
     }
@@ -539,7 +536,7 @@ mod tests {
             factor.leave(&y, &mut found);
             assert_eq!(found, x);
             factor.leave(&part, &mut found);
-            assert!(rows().all(|i| found[i] == x[i]));
+            assert_all!(rows(), |i| found[i] == x[i]);
             assert!(n < 100 || reach.len() < factor.symbolic().supernodes());
         }
     }
@@ -612,7 +609,7 @@ mod tests {
                 pool.install(|| {
                     let order = nested_dissection(&graph, 2, &coords);
                     let factor = factored::<f32>(&pattern, &order, &values);
-                    assert!(factor.symbolic().tasks.len() > 4);
+                    assert_above!(factor.symbolic().tasks.len(), 4);
                     let (x, _) = residual::<f32, 3>(&pattern, &values, &factor);
                     x.iter().flatten().map(|x| x.to_bits()).collect()
                 })

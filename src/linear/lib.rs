@@ -1,5 +1,10 @@
 //! Linear algebra that knows no mesh.
 
+#[cfg(test)]
+#[macro_use]
+#[path = "../../tests/common/asserts.rs"]
+mod asserts;
+
 pub mod anderson;
 pub mod cholesky;
 pub mod dispatch;

@@ -135,21 +135,18 @@ mod tests {
         for_each(numbers.chunks_mut(7), |k, chunk| {
             chunk.iter_mut().for_each(|n| *n = 1000 * *n + k);
         });
-        assert!(numbers.iter().enumerate().all(|(i, n)| *n == 1000 * i + i / 7));
+        assert_all!(numbers.iter().enumerate(), |(i, n)| *n == 1000 * i + i / 7);
     }
 
     #[test]
     fn results_are_in_the_order_of_the_items() {
         let lengths = map(runs(10_001, 10), |k, run| (k, run.start, run.len()));
         assert_eq!(lengths.len(), 1001);
-        assert!(
-            lengths[..1000]
-                .iter()
-                .enumerate()
-                .all(|(k, of)| *of == (k, 10 * k, 10))
-        );
+        for (k, of) in lengths[..1000].iter().enumerate() {
+            assert_eq!(*of, (k, 10 * k, 10));
+        }
         assert_eq!(lengths[1000], (1000, 10_000, 1));
-        assert!(map(runs(0, 10), |k, _| k).is_empty());
+        assert_empty!(map(runs(0, 10), |k, _| k));
     }
 
     #[test]
@@ -169,7 +166,8 @@ mod tests {
             let panics = move |it: bool| {
                 std::panic::catch_unwind(move || join(|| assert!(second || !it), || assert!(!second || !it)))
             };
-            assert!(panics(false).is_ok() && panics(true).is_err());
+            assert!(panics(false).is_ok());
+            assert!(panics(true).is_err());
         }
     }
 }

@@ -331,7 +331,8 @@ mod tests {
             .unwrap()
             .of(&spiked, &all)
             .unwrap();
-        assert!((back.largest - 0.8).abs() < 1e-12 && back.largest_at == [x, y, 0.8]);
+        assert_near!(back.largest, 0.8, 1e-12);
+        assert_eq!(back.largest_at, [x, y, 0.8]);
         assert!(back.rms < 0.8 && back.mean < back.rms, "{back:?}");
     }
 
@@ -369,7 +370,7 @@ mod tests {
             .unwrap()
             .of(&SQUARE, &HALVES)
             .unwrap();
-        assert!(found.largest >= 0.0);
+        assert_at_least!(found.largest, 0.0);
         let point = DistanceTo::new(&SQUARE, &[[1, 1, 1]]).unwrap();
         let found = point.of(&SQUARE, &HALVES).unwrap();
         assert!(

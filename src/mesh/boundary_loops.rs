@@ -76,7 +76,7 @@ mod tests {
         for along in &loops {
             for (k, &b) in along.iter().enumerate() {
                 let next = region.free as u32 + along[(k + 1) % along.len()];
-                assert!(rings.boundary_ring(b as usize).contains(&next));
+                assert_contains!(rings.boundary_ring(b as usize), &next);
             }
         }
     }
@@ -110,8 +110,8 @@ mod tests {
                 loops.len() >= whole.len() && visits + 3 > whole.concat().len(),
                 "{t:?}"
             );
-            assert!(seen.iter().all(|&b| (b as usize) < region.boundary));
+            assert_all!(seen.iter(), |&b| (b as usize) < region.boundary);
         }
-        assert!(touched > 0);
+        assert_above!(touched, 0);
     }
 }

@@ -53,10 +53,6 @@ mod tests {
         let shape = cylinder_band(600, Sampling::Regular, OUTSIDE);
         let selection = Selection::Mask(&shape.free);
         let region = RegionMesh::new(&shape.positions, &shape.triangles, selection).unwrap();
-        assert!(
-            circles(&Rings::new(&region))
-                .iter()
-                .all(|r| (r - 1.0).abs() < 1e-12)
-        );
+        assert_all!(circles(&Rings::new(&region)).iter(), |r| (r - 1.0).abs() < 1e-12);
     }
 }

@@ -336,7 +336,7 @@ mod tests {
             let length = |u: u32, v: u32| radius[u as usize] + radius[v as usize];
             let target = 2 * region.boundary + 300;
             let coarsening = coarsen(&region, target, length);
-            assert!(coarsening.free() <= target);
+            assert_at_most!(coarsening.free(), target);
             let (coarse, lengths) = coarse_region(&coarsening, &region, &x);
             coarse.validate().unwrap();
             assert_eq!(
@@ -345,7 +345,7 @@ mod tests {
             );
             assert_eq!((coarse.components, lengths.len()), (1, coarse.triangles().len()));
             let boundary: Vec<u32> = (region.free as u32..region.region_vertices() as u32).collect();
-            assert!(coarse.vertex_ids[coarse.free..].starts_with(&boundary));
+            assert_begins!(coarse.vertex_ids[coarse.free..], &boundary);
         }
     }
 
@@ -357,7 +357,7 @@ mod tests {
         assert!(coarsening.free() < 700, "{}", coarsening.free());
         let mut back = x.clone();
         for (u, ring) in coarsening.returning() {
-            assert!((ring.iter().map(|(_, w)| w).sum::<f64>() - 1.0).abs() < 1e-12);
+            assert_near!(ring.iter().map(|(_, w)| w).sum::<f64>(), 1.0, 1e-12);
             back[u as usize] = ring.iter().map(|&(j, w)| back[j as usize] * w).sum();
         }
         for (p, q) in back.iter().zip(&x) {

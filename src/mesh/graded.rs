@@ -229,19 +229,19 @@ mod tests {
         let distance = distances(&rings);
         let is_left = |v: usize| mesh.vertices.binary_search(&(v as u32)).is_ok();
         for v in (0..region.free).filter(|&v| distance[v] <= KEPT) {
-            assert!(is_left(v));
+            assert!(is_left(v), "{v}");
             let s = mesh.place(v as u32, region.free) as usize;
-            assert!(mesh.is_whole[s] || distance[v] == KEPT);
+            assert!(mesh.is_whole[s] || distance[v] == KEPT, "{v}: {}", distance[v]);
         }
-        assert!(mesh.beside.iter().flatten().all(|&s| s != NONE));
+        assert_all!(mesh.beside.iter().flatten(), |&s| s != NONE);
     }
 
     #[test]
     fn nothing_is_lost_on_the_way() {
         let (region, _, mesh) = graded(&cylinder_band(5000, Sampling::Regular, OUTSIDE));
         let sums = mesh.gather(vec![1.0; region.free]);
-        assert!(sums.len() < region.free);
-        assert!((sums.iter().sum::<f64>() / region.free as f64 - 1.0).abs() < 1e-6);
+        assert_below!(sums.len(), region.free);
+        assert_near!(sums.iter().sum::<f64>() / region.free as f64, 1.0, 1e-6);
     }
 
     /// Linear functions are harmonic by cotangent weights on a flat mesh, whichever vertices are left.

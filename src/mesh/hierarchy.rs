@@ -201,7 +201,11 @@ mod tests {
     #[test]
     fn roundness_of_known_triangles() {
         let p = |x: f64, y: f64| Vector3::new(x, y, 0.0);
-        assert!((roundness(&[p(0., 0.), p(1., 0.), p(0.5, 0.75f64.sqrt())]) - 1.0).abs() < 1e-14);
+        assert_near!(
+            roundness(&[p(0., 0.), p(1., 0.), p(0.5, 0.75f64.sqrt())]),
+            1.0,
+            1e-14
+        );
         assert_eq!(roundness(&[p(0., 0.), p(1., 0.), p(2., 0.)]), 0.0);
         assert_eq!(roundness(&[p(0., 0.); 3]), 0.0);
     }

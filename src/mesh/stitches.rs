@@ -190,16 +190,17 @@ mod tests {
         assert!(!is(&[[1, 3], [2, 3]]));
         assert!(!is(&[[1, 2], [2, 3], [3, 2]]));
         assert!(!is(&[[1, 2], [2, 3], [3, 1], [4, 5], [5, 6], [6, 4]]));
-        assert!(!is(&[[1, 1]]) && !is(&[[0, 1]]));
+        assert!(!is(&[[1, 1]]));
+        assert!(!is(&[[0, 1]]));
     }
 
     #[test]
     fn open_vertices_are_those_on_boundary_edges() {
         // A tetrahedron, and one without a face.
         let closed = [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]];
-        assert!(open_vertices(4, &closed).is_empty());
+        assert_empty!(open_vertices(4, &closed));
         assert_eq!(open_vertices(5, &closed[..3]), [1, 2, 3]);
         // Triangles that name a vertex twice add nothing.
-        assert!(open_vertices(3, &[[0, 0, 1], [2, 2, 2]]).is_empty());
+        assert_empty!(open_vertices(3, &[[0, 0, 1], [2, 2, 2]]));
     }
 }

@@ -95,7 +95,10 @@ impl Searched {
                 continue;
             }
             let inside = of_region.contains(&t);
-            assert!(inside || [a, b, c].iter().all(|v| !free_ids(region).contains(v)));
+            assert!(
+                inside || [a, b, c].iter().all(|v| !free_ids(region).contains(v)),
+                "{t}"
+            );
             for [u, v, w] in [[a, b, c], [b, c, a], [c, a, b]] {
                 let edge = [u.min(v), u.max(v)];
                 searched.sharing.entry(edge).or_default().push((w, inside));
@@ -329,7 +332,7 @@ fn one_free_vertex_in_a_grid() {
     let outside: Vec<_> = rings.outside_triangles(0).iter().map(|e| caller(e)).collect();
     assert_eq!(outside, [[11, 5], [5, 0], [0, 1], [1, 7]]);
     assert_eq!(caller(&rings.boundary_triangles(0)[0]), [7, 12]);
-    assert!(rings.closed.iter().all(|c| !c));
+    assert_all!(rings.closed.iter(), |c| !c);
 }
 
 #[test]
@@ -378,12 +381,17 @@ fn broken_surroundings_are_left_out() {
     };
     let before = all(&mesh);
     // Two rings from boundary vertex 70: without a place, in a triangle that is none, and in one too many.
-    assert!(before.contains(&42) && before.contains(&43) && before.contains(&31));
+    assert_contains!(before, &42);
+    assert_contains!(before, &43);
+    assert_contains!(before, &31);
     mesh.0[42][1] = f64::NAN;
     mesh.1.push([43, 43, 0]);
     mesh.1.push([43, 44, 168]);
     let after = all(&mesh);
-    assert!(!after.contains(&42) && after.contains(&43) && !after.contains(&0) && after.contains(&168));
+    assert!(!after.contains(&42), "{after:?}");
+    assert_contains!(after, &43);
+    assert!(!after.contains(&0), "{after:?}");
+    assert_contains!(after, &168);
 }
 
 #[test]
@@ -428,7 +436,7 @@ fn closed_fixed_vertex_inside_the_region() {
     assert_eq!(rings.closed.iter().filter(|c| **c).count(), 1);
     assert_eq!(rings.boundary_ring(at).len(), 6);
     assert_eq!(rings.boundary_triangles(at).len(), 6);
-    assert!(rings.outside_triangles(at).is_empty());
+    assert_empty!(rings.outside_triangles(at));
     // V - E + F = 1 of the disc that is left.
     let faces = region.half_edges.region_triangles as i64;
     let edges = (3 * faces + rings.boundary_half_edges.len() as i64) / 2;
@@ -529,7 +537,7 @@ fn sphere_with_a_hole_and_sphere_with_one_fixed_vertex() {
     let all: Vec<u32> = (0..top + 2).filter(|&v| v != top).collect();
     let (region, rings) = sound(&mesh, Selection::Vertices(&all));
     assert_eq!((region.boundary, rings.closed.as_slice()), (1, &[true][..]));
-    assert!(rings.boundary_half_edges.is_empty());
+    assert_empty!(rings.boundary_half_edges);
     let faces = mesh.1.len() as i64;
     assert_eq!(region.region_vertices() as i64 - faces / 2, 2);
     // Now a hole in place of the pole: its boundary is fixed and has no outside.
@@ -539,13 +547,8 @@ fn sphere_with_a_hole_and_sphere_with_one_fixed_vertex() {
     assert_eq!(region.boundary, 12);
     assert_eq!(rings.boundary_half_edges.len(), 12);
     let boundary_opposite = |h: &u32| region.half_edges.opposite[*h as usize];
-    assert!(
-        rings
-            .boundary_half_edges
-            .iter()
-            .all(|h| boundary_opposite(h) == NONE)
-    );
-    assert!(rings.outside_triangle.values().is_empty());
+    assert_all!(rings.boundary_half_edges.iter(), |h| boundary_opposite(h) == NONE);
+    assert_empty!(rings.outside_triangle.values());
 }
 
 #[test]
@@ -612,7 +615,7 @@ fn regions_of_components_far_from_the_origin() {
     let list = [24 * 11 + 11, 24 * 11 + 12, 24 * 14 + 15];
     let regions = agree_alone(&mesh, &list, |_| false);
     assert_eq!(regions.len(), 2);
-    assert!(regions.iter().all(|r| r.is_rounded));
+    assert_all!(regions.iter(), |r| r.is_rounded);
 }
 
 /// The regions of components, each of which is that of its free vertices alone.
@@ -661,7 +664,7 @@ fn annulus() {
     let edges = (3 * faces + rings.boundary_half_edges.len() as i64) / 2;
     assert_eq!(region.region_vertices() as i64 - edges + faces, 0);
     assert_eq!(region.components, 1);
-    assert!(rings.closed.iter().all(|c| !c));
+    assert_all!(rings.closed.iter(), |c| !c);
 }
 
 #[test]

@@ -276,9 +276,13 @@ mod tests {
     #[test]
     fn smallest_angle_of_known_triangles() {
         let p = |x: f64, y: f64| Vector3::new(x, y, 0.0);
-        assert!((smallest_angle(&[p(0., 0.), p(1., 0.), p(0., 1.)]) - 45.0).abs() < 1e-12);
-        assert!((smallest_angle(&[p(0., 0.), p(1., 0.), p(0.5, 0.75f64.sqrt())]) - 60.0).abs() < 1e-12);
-        assert!(smallest_angle(&[p(0., 0.), p(1., 0.), p(2., 0.)]) < 1e-12);
+        assert_near!(smallest_angle(&[p(0., 0.), p(1., 0.), p(0., 1.)]), 45.0, 1e-12);
+        assert_near!(
+            smallest_angle(&[p(0., 0.), p(1., 0.), p(0.5, 0.75f64.sqrt())]),
+            60.0,
+            1e-12
+        );
+        assert_below!(smallest_angle(&[p(0., 0.), p(1., 0.), p(2., 0.)]), 1e-12);
         assert_eq!(smallest_angle(&[p(f64::NAN, 0.), p(1., 0.), p(2., 0.)]), 0.0);
     }
 }

@@ -366,9 +366,9 @@ mod tests {
         for i in 0..=100 {
             let part = f64::from(i) / 100.0;
             let [r, z, f, _] = cylinder.at(50.0 * part);
-            assert!(
-                (r - 1.0).abs() < 1e-13 && (z - 50.0 * part).abs() < 1e-12 && (f - FRAC_PI_2).abs() < 1e-13
-            );
+            assert_near!(r, 1.0, 1e-13);
+            assert_near!(z, 50.0 * part, 1e-12);
+            assert_near!(f, FRAC_PI_2, 1e-13);
             // r = cosh z, s = sinh z.
             let s = 20.0 * part;
             let [r, z, ..] = catenoid.at(s);
@@ -378,7 +378,8 @@ mod tests {
             );
             let s = 1.4 * part;
             let [r, z, ..] = sphere.at(s);
-            assert!((r - s.cos()).abs() < 1e-14 && (z - s.sin()).abs() < 1e-14);
+            assert_near!(r, s.cos(), 1e-14);
+            assert_near!(z, s.sin(), 1e-14);
         }
     }
 
@@ -399,9 +400,10 @@ mod tests {
                     let at = |j: f64| profile.at(s + j * d)[k];
                     (8.0 * (at(1.0) - at(-1.0)) - at(2.0) + at(-2.0)) / (12.0 * d)
                 };
-                assert!((by_s(0) - f.cos()).abs() < 1e-10 && (by_s(1) - f.sin()).abs() < 1e-10);
-                assert!((by_s(2) + 2.0 * h + f.sin() / r).abs() < 1e-10);
-                assert!((r * by_s(3) - c).abs() < 1e-10);
+                assert_near!(by_s(0), f.cos(), 1e-10);
+                assert_near!(by_s(1), f.sin(), 1e-10);
+                assert_below!((by_s(2) + 2.0 * h + f.sin() / r).abs(), 1e-10);
+                assert_near!(r * by_s(3), c, 1e-10);
             }
         }
     }
@@ -428,7 +430,7 @@ mod tests {
                 );
                 let turn = difference(&|s| profile.at(s)[2], s);
                 let [r, _, f, h] = profile.at(s);
-                assert!((turn + 2.0 * h + f.sin() / r).abs() < 1e-9);
+                assert_below!((turn + 2.0 * h + f.sin() / r).abs(), 1e-9);
             }
         }
     }
@@ -446,8 +448,10 @@ mod tests {
             let [r_2, z_2, f_2, h_2] = again.at(at / r);
             let v = -0.8 + again.height(at / r);
             let [r_1, z_1, f_1, ..] = profile.values(v);
-            assert!((r * r_2 - r_1).abs() < 1e-14 && (r * z_2 - (z_1 - z)).abs() < 1e-14);
-            assert!((f_2 - f_1).abs() < 1e-14 && (h_2 / r - profile.mean_curvature(v)).abs() < 1e-14);
+            assert_near!(r * r_2, r_1, 1e-14);
+            assert_near!(r * z_2, z_1 - z, 1e-14);
+            assert_near!(f_2, f_1, 1e-14);
+            assert_near!(h_2 / r, profile.mean_curvature(v), 1e-14);
         }
     }
 
@@ -463,12 +467,9 @@ mod tests {
         );
         // A sphere ends at its pole.
         let pole = HarmonicProfile::new(FRAC_PI_2, -1.0, 0.0, 2.0);
-        assert!(
-            matches!(pole, Err(ProfileError::Axis(s)) if (1.5..1.6).contains(&s)),
-            "{pole:?}"
-        );
+        assert_matches!(pole, Err(ProfileError::Axis(s)) if (1.5..1.6).contains(s));
         // A nodoid crosses itself.
         let nodoid = HarmonicProfile::new(FRAC_PI_2, 2.0, 0.0, 6.0);
-        assert!(matches!(nodoid, Err(ProfileError::Crossing(_))), "{nodoid:?}");
+        assert_matches!(nodoid, Err(ProfileError::Crossing(_)));
     }
 }

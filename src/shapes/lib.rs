@@ -6,6 +6,11 @@
 //!
 //! Triangles run counter-clockwise seen from outside, normals point outward.
 
+#[cfg(test)]
+#[macro_use]
+#[path = "../../tests/common/asserts.rs"]
+mod asserts;
+
 mod arithmetic;
 mod blend;
 mod blend_start;

@@ -67,14 +67,14 @@ mod tests {
     fn what_is_cut_leaves_no_vertex_alone() {
         let shape = sphere_cap(60.0, 1_000, Sampling::Regular, 4);
         let cut = shape.cut([0.0, 0.0, 1.0], 0.3);
-        assert!(cut.triangles.len() < shape.triangles.len());
+        assert_below!(cut.triangles.len(), shape.triangles.len());
         assert_eq!(cut.free.len(), cut.positions.len());
         let mut used = vec![false; cut.positions.len()];
         cut.triangles
             .iter()
             .flatten()
             .for_each(|&v| used[v as usize] = true);
-        assert!(used.iter().all(|&used| used));
+        assert_all!(used.iter(), |&used| used);
         // Nothing else is gone: of a triangle in the ball all corners are.
         let far = |p: &&[f64; 3]| p[2] < 0.9;
         assert_eq!(

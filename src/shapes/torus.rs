@@ -90,10 +90,10 @@ mod tests {
         let torus = Torus::new(1.0, 0.4);
         for t in [-2.5, -1.0, 0.0, 0.3, 2.0] {
             let w = torus.conformal_height(t);
-            assert!((torus.meridian_angle(w) - t).abs() < 1e-14);
+            assert_near!(torus.meridian_angle(w), t, 1e-14);
             let d = 1e-4;
             let slope = (torus.conformal_height(t + d) - torus.conformal_height(t - d)) / (2.0 * d);
-            assert!((slope - 0.4 / (1.0 + 0.4 * t.cos())).abs() < 1e-8);
+            assert_near!(slope, 0.4 / (1.0 + 0.4 * t.cos()), 1e-8);
         }
     }
 
@@ -105,7 +105,7 @@ mod tests {
             let h = torus.mean_curvature(x);
             let of_level_set = mean_curvature_by_differences(|y| torus.normal(y), x);
             assert!((h - of_level_set).abs() < 1e-9, "{h} {of_level_set}");
-            assert!(torus.signed_distance(x).abs() < 1e-15);
+            assert_below!(torus.signed_distance(x).abs(), 1e-15);
         }
     }
 }

@@ -462,7 +462,7 @@ mod tests {
                 .map(|x| x[0].abs() + 3.0 * x[1].abs())
                 .fold(0.0, f64::max);
             for (x, sum) in x.iter().zip(&sum) {
-                assert!((x[0] - 3.0 * x[1] - sum[0]).abs() < 1e-4 * size);
+                assert_near!(x[0] - 3.0 * x[1], sum[0], 1e-4 * size);
             }
             let product = |a: usize, b: usize| x.iter().zip(&r).map(|(x, r)| x[a] * r[b]).sum::<f64>();
             let [ab, ba, aa, bb] = [product(0, 1), product(1, 0), product(0, 0), product(1, 1)];
@@ -496,7 +496,7 @@ mod tests {
             plate.solve_p(&mut three);
             let mut again = one.clone();
             plate.solve_p(&mut one);
-            assert!(three.iter().zip(&one).all(|(a, b)| *a == [b[0]; 3]));
+            assert_all!(three.iter().zip(&one), |(a, b)| *a == [b[0]; 3]);
             plate.solve_p(&mut again);
             assert_eq!(one, again);
         });

@@ -128,10 +128,10 @@ mod tests {
         let ring = polygon(&[[0.0, 0.0], [4.0, 3.0], [0.0, 1.0], [-4.0, 3.0]]);
         let start = Vector3::new(0.0, 1.75, 0.3);
         let up = Vector3::z();
-        assert!(least_quality(&ring, &start, &up) < 0.0);
+        assert_below!(least_quality(&ring, &start, &up), 0.0);
         let found = best_place(&ring, start);
         assert!(least_quality(&ring, &found, &up) > 0.02, "{found}");
-        assert!((found.z - 0.3).abs() < 1e-12);
+        assert_near!(found.z, 0.3, 1e-12);
     }
 
     /// Where vertices go decides on weights: local numbers breadth first once changed the surface by a thousandth.
@@ -156,6 +156,6 @@ mod tests {
             places.into_iter().map(|(_, p)| p).collect::<Vec<_>>()
         });
         assert!(untangled[0] != positions.iter().map(|p| Vector3::from(*p)).collect::<Vec<_>>());
-        assert!(untangled[0] == untangled[1]);
+        assert_same_items!(untangled[0], untangled[1]);
     }
 }

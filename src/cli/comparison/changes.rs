@@ -217,9 +217,11 @@ mod tests {
         let mut after = SQUARE;
         after[4][2] = 0.25;
         let same = Comparison::new(surface(&SQUARE, &FAN), surface(&SQUARE, &FAN)).unwrap();
-        assert!(!same.is_changed() && same.moved.is_none());
+        assert!(!same.is_changed());
+        assert!(same.moved.is_none());
         let found = Comparison::new(surface(&SQUARE, &FAN), surface(&after, &FAN)).unwrap();
-        assert!(found.gone.iter().all(|&gone| gone) && found.new.iter().all(|&new| new));
+        assert_all!(found.gone.iter(), |&gone| gone);
+        assert_all!(found.new.iter(), |&new| new);
         let moved = found.moved.as_ref().unwrap();
         let there = &moved.there;
         assert_eq!((there.largest, there.largest_at), (0.25, after[4]));
@@ -236,6 +238,7 @@ mod tests {
         let filled = Comparison::new(surface(&positions, &open), surface(&SQUARE, &FAN)).unwrap();
         assert_eq!(filled.gone, [false; 3]);
         assert_eq!(filled.new, [false, false, false, true]);
-        assert!(filled.moved.is_none() && filled.is_changed());
+        assert!(filled.moved.is_none());
+        assert!(filled.is_changed());
     }
 }

@@ -131,8 +131,8 @@ mod tests {
     #[test]
     fn what_is_no_picture_is_refused() {
         let why = |bytes: &[u8]| Image::decode(bytes).err().unwrap();
-        assert!(why(b"GIF89a").starts_with("only PNG and JPEG"));
-        assert!(why(b"\x89PNG\r\n\x1a\n").starts_with("this picture cannot be read: "));
-        assert!(why(b"\xff\xd8\xff").starts_with("this picture cannot be read: "));
+        assert_begins!(why(b"GIF89a"), "only PNG and JPEG");
+        assert_begins!(why(b"\x89PNG\r\n\x1a\n"), "this picture cannot be read: ");
+        assert_begins!(why(b"\xff\xd8\xff"), "this picture cannot be read: ");
     }
 }

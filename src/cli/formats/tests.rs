@@ -447,7 +447,10 @@ fn malformed_stl_is_refused_with_its_place() {
         refused(Format::Stl, &long),
         "file: byte 80: 5 triangles take 334 bytes, but the file has 333"
     );
-    assert!(refused(Format::Stl, b"sol").starts_with("file: byte 3: this is not an STL file"));
+    assert_begins!(
+        refused(Format::Stl, b"sol"),
+        "file: byte 3: this is not an STL file"
+    );
     let text = "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\nendfacet\n";
     assert_eq!(
         refused(Format::Stl, text.as_bytes()),
@@ -497,7 +500,7 @@ fn corners_are_counted_in_a_byte_where_that_is_enough() {
     ] {
         let polygons = [(0..corners).collect::<Vec<u32>>()];
         let bytes = plain(Format::Ply, &round, &polygons);
-        assert!(String::from_utf8_lossy(&bytes).contains(kind));
+        assert_contains!(String::from_utf8_lossy(&bytes), kind);
         assert_eq!(read(Format::Ply, &bytes).geometry.polygons(), polygons);
     }
 }

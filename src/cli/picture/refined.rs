@@ -93,11 +93,9 @@ mod tests {
             let [a, b, c] = t.map(|v| refined.positions[v as usize]);
             0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
         };
-        assert!(
-            refined.triangles[..16]
-                .iter()
-                .all(|t| (area(t) - 3.0 / 16.0).abs() < 1e-12)
-        );
+        for t in &refined.triangles[..16] {
+            assert_near!(area(t), 3.0 / 16.0, 1e-12);
+        }
         let same = Refined::new(&positions, &triangles, |_| true, f64::NAN);
         assert_eq!((same.triangles.len(), same.positions.len()), (2, 4));
     }

@@ -182,7 +182,8 @@ mod tests {
         let sphere = scale(|v| -1.0 + 1e-9 * (v % 3) as f64);
         assert_eq!(sphere.palette, Palette::Sequential);
         let [low, high] = sphere.range;
-        assert!((low + 1.0005).abs() < 1e-6 && (high + 0.9995).abs() < 1e-6);
+        assert_near!(low, -1.0005, 1e-6);
+        assert_near!(high, -0.9995, 1e-6);
         let one_sided = scale(|v| 2.0 + (v % 5) as f64);
         assert_eq!(
             (one_sided.range, one_sided.palette),

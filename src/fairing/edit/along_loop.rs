@@ -114,13 +114,19 @@ mod tests {
     fn tangents_are_those_of_circles_however_points_are_spaced() {
         let at = |phi: f64| Vector3::new(3.0 * libm::cos(phi), 3.0 * libm::sin(phi), 1.0);
         let t = tangent(at(0.1), at(0.4), at(1.7)).unwrap();
-        assert!((t - Vector3::new(-libm::sin(0.4), libm::cos(0.4), 0.0)).norm() < 1e-15);
+        assert_below!(
+            (t - Vector3::new(-libm::sin(0.4), libm::cos(0.4), 0.0)).norm(),
+            1e-15
+        );
     }
 
     #[test]
     fn a_positive_angle_bulges_outward() {
         // The region lies to the left of the x axis, seen from above: y is the way into it.
         let n = turned(Vector3::z(), Vector3::x(), 0.3);
-        assert!((n - Vector3::new(0.0, -libm::sin(0.3), libm::cos(0.3))).norm() < 1e-15);
+        assert_below!(
+            (n - Vector3::new(0.0, -libm::sin(0.3), libm::cos(0.3))).norm(),
+            1e-15
+        );
     }
 }

@@ -115,7 +115,7 @@ mod tests {
             let part = found.iter().find(|f| f.0 == v).unwrap().1;
             assert!((part - fade(d / 4.0)).abs() < 1e-15, "{v}");
         }
-        assert!(found.iter().all(|f| f.0 != 8));
+        assert_all!(found.iter(), |f| f.0 != 8);
     }
 
     #[test]
@@ -126,7 +126,7 @@ mod tests {
             translation: Vector3::z() * 2.0,
         };
         let (p, turn) = motion.part(0.5, Vector3::new(3.0, 0.0, 0.0));
-        assert!((p - Vector3::new(1.0, 2.0, 1.0)).norm() < 1e-15);
-        assert!((turn * Vector3::x() - Vector3::y()).norm() < 1e-15);
+        assert_below!((p - Vector3::new(1.0, 2.0, 1.0)).norm(), 1e-15);
+        assert_below!((turn * Vector3::x() - Vector3::y()).norm(), 1e-15);
     }
 }

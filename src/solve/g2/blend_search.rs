@@ -136,7 +136,8 @@ mod tests {
         let mut ways = BlendSearch::new([(1.0, 1.0), (0.3, 1.0)].into_iter(), 2.0);
         assert!(ways.shorten());
         assert_eq!(ways.parts(), [0.5, 0.25]);
-        assert!(ways.shorten() && ways.shorten());
+        assert!(ways.shorten());
+        assert!(ways.shorten());
         assert_eq!(ways.parts(), [0.125, 0.0]);
         assert!(!ways.shorten());
     }

@@ -283,10 +283,11 @@ mod tests {
         let h: Vec<_> = fitted.iter().map(|f| f.map(|f| f[0])).collect();
         let known = [1.0, 1.0, 1.5, 2.0, 2.5, 3.0].map(Some);
         assert_eq!(h[..6], known);
-        assert!(h[6..12].iter().all(Option::is_none) && h[12] == Some(1.0));
+        assert_all!(h[6..12].iter(), Option::is_none);
+        assert_eq!(h[12], Some(1.0));
         let mut one = vec![None, of(2.0), None];
         bridge_gaps(&mut one);
-        assert!(one.iter().all(|f| *f == of(2.0)));
+        assert_all!(one.iter(), |f| *f == of(2.0));
     }
 
     /// A spike in one of two estimates is taken from that one, and from both where neither is certain.

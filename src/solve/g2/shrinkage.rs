@@ -214,12 +214,12 @@ mod tests {
         let wanted: Vec<f64> = wave(0.2).iter().map(|w| w - 1.0).collect();
         let of = |error: f64| Trusted::new(&modes, [&before, &wanted, &[0.0; N]], &fitted(&wanted, error));
         let certain = of(1e-4);
-        assert!(certain.part > 0.99);
+        assert_above!(certain.part, 0.99);
         let left = difference(&certain.change, &wave(0.2));
-        assert!(modes.product(&left, &left).sqrt() < 1e-3);
-        assert!((0.2..0.95).contains(&of(0.1).part));
+        assert_below!(modes.product(&left, &left).sqrt(), 1e-3);
+        assert_contains!(0.2..0.95, &of(0.1).part);
         assert_eq!(of(1.0).part, 0.0);
-        assert!((of(0.1).uncertainty - 0.1).abs() < 1e-3);
+        assert_near!(of(0.1).uncertainty, 0.1, 1e-3);
     }
 
     /// The curvatures that the equation has there are another measure of the same: what differs cannot be told.
@@ -231,7 +231,8 @@ mod tests {
         both.difference = vec![0.1; N];
         let left = Trusted::new(&modes, [&before, &wanted, &[0.0; N]], &both).change;
         let parts = modes.parts(&left);
-        assert!(parts[0].abs() < 1e-12 && modes.product(&left, &wave(0.2)) > 0.01);
+        assert_below!(parts[0].abs(), 1e-12);
+        assert_above!(modes.product(&left, &wave(0.2)), 0.01);
     }
 
     /// Around a crease the trust is less, far from it as without it.
@@ -244,7 +245,10 @@ mod tests {
         assert!(change[3] < 0.5 * change[60] && change[60] > 0.1, "{change:?}");
         let mut given = fitted(&wanted, 0.0);
         given.is_given = vec![true; N];
-        assert!(Trusted::new(&modes, [&before, &wanted, &[0.0; N]], &given).part > 0.99);
+        assert_above!(
+            Trusted::new(&modes, [&before, &wanted, &[0.0; N]], &given).part,
+            0.99
+        );
     }
 
     /// A boundary that zigzags on a surface with a slope of `H`.
@@ -255,7 +259,8 @@ mod tests {
         let wanted: Vec<f64> = offset.iter().map(|o| -0.9 + 2.0 * o).collect();
         let part =
             |offset: &[f64]| Trusted::new(&modes, [&before, &wanted, offset], &fitted(&wanted, 0.0)).part;
-        assert!(part(&offset) > 0.98 && part(&[0.0; N]) < 0.5);
+        assert_above!(part(&offset), 0.98);
+        assert_below!(part(&[0.0; N]), 0.5);
     }
 
     #[test]
@@ -264,6 +269,7 @@ mod tests {
         let mut fitted = fitted(&before, 0.0);
         fitted.h = vec![None; N];
         let trusted = Trusted::new(&modes, [&before, &before, &[0.0; N]], &fitted);
-        assert!(trusted.part == 0.0 && trusted.change.iter().all(|c| *c == 0.0));
+        assert_eq!(trusted.part, 0.0);
+        assert_all!(trusted.change.iter(), |c| *c == 0.0);
     }
 }
