@@ -126,16 +126,15 @@ class Page:
 
 HEAD = """# Gallery
 
-What comes out, with the commands that made it. In each picture the mesh before is left. Rows below are the same meshes as mirrors with
-rings of light around them, which show what shading hides: a crease breaks the lines, a jump of [curvature](glossary.md) kinks them. This
-page and its pictures are written by
+Results, and the commands that made them. The mesh before is left. The rows below show reflections of rings of light: a crease breaks these
+lines, a jump of [curvature](glossary.md) kinks them. This page and its pictures are written by
 
 ```console
 site/gallery.sh
 ```
 
-The mannequin comes with Debian's `libcgal-demo`, the skull with `tvb-data` from PyPI (GPL 3): only pictures of them are here. More
-pictures: [the paper's figures](../REPRODUCTION.md), among them the ear and the face of a scan; [continuous curvature](g2.md); the
+The mannequin comes with Debian's `libcgal-demo`, the skull with `tvb-data` from PyPI (GPL 3). More pictures:
+[the paper's figures](../REPRODUCTION.md), [continuous curvature](g2.md), the
 [notebooks](../bindings/python/examples/gallery/README.md) of the Python package.
 """
 
@@ -149,8 +148,7 @@ def main(program: str, scans: Path) -> None:
     both = "--shade flat,reflection"
     page.entry(
         "Three tubes, blended",
-        "The example that the paper begins with. The ends of three tubes are given, and the directions of the surface there; what is\n"
-        "between was noise.",
+        "The paper's first example. The ends of three tubes are given, and the directions of the surface there; between them was noise.",
         [
             "fairmesh generate cylinder-blend --start noise --noise 0.4 -o rough.ply --free free.txt --normals normals.txt",
             "fairmesh fair rough.ply -o blend.ply --free free.txt --normals normals.txt",
@@ -159,14 +157,13 @@ def main(program: str, scans: Path) -> None:
     )
     page.entry(
         "Two tubes, joined",
-        "One patch for both loops: it leaves each tube tangentially, and its shape is a matter of the two rims alone.",
+        "One patch for both loops, tangent to each tube.",
         ["fairmesh fill tubes.obj -o joined.obj --join 0,2"],
         Picture("tubes", "tubes.obj joined.obj", "two tubes|joined", f"{both} --view 0.2,-1,0.25 --size 340x300"),
     )
     page.entry(
         "A third eye and two horns, gone",
-        "Erased, and the hole filled: what was there is of no use for what shall be. The forehead is one smooth surface again, in the\n"
-        "reflections, too.",
+        "Erased, because their shape is of no use, and the hole filled. The forehead is smooth again, in the reflections, too.",
         [
             "fairmesh fill mannequin.off -o calm.off --erase --ball 0,-12,11.4,5.3 --ball -7,-8.5,16.5,4.6 --ball 7,-8.5,16.5,4.6",
         ],
@@ -174,14 +171,14 @@ def main(program: str, scans: Path) -> None:
     )
     page.entry(
         "An ear, removed",
-        "The paper's Figure 9 does this to a scan. Here the faces stay, and only move: all that is in a ball around the ear.",
+        "As in the paper's Figure 9: the faces in a ball around the ear stay, and only move.",
         ["fairmesh fair calm.off -o one-ear.off --ball 9.2,2.6,0.8,5.6"],
         Picture("ear", "calm.off one-ear.off", "with an ear|without", f"{both} --view 1,-0.25,0.1 --size 280x320"),
     )
     page.entry(
         "A skull, closed",
         "The outer surface of a skull, from a scan of a head; a piece nearly seven centimetres wide was cut out, and is filled.\n"
-        "How near is that to what had been there? Colours are the distance from it; lengths are millimetres.",
+        "Colours are the distance from what was there, in millimetres.",
         [
             "fairmesh fill open.obj -o closed.obj",
             "fairmesh render skull.obj closed.obj -o distance.png --shade distance",
@@ -195,8 +192,7 @@ def main(program: str, scans: Path) -> None:
     )
     page.entry(
         "The tetra thing",
-        "The paper's Figure 8: six circles on the edges of a tetrahedron, with the directions of tubes, and one closed surface through\n"
-        "all of them.",
+        "The paper's Figure 8: one closed surface through six circles on the edges of a tetrahedron, with the directions of tubes.",
         [
             "fairmesh generate tetra-thing --vertices 13308 --start noise --noise 0.5 -o thing.ply --free free.txt --normals normals.txt",
             "fairmesh fair thing.ply -o fair-thing.ply --free free.txt --normals normals.txt",
@@ -205,8 +201,8 @@ def main(program: str, scans: Path) -> None:
     )
     page.entry(
         "The curvature of the surroundings, too",
-        "The cap of an ellipsoid was flattened. Its fair surface has the tangent planes of its surroundings: left, where colours are the\n"
-        "curvature, an edge shows around it. With `--continuity g2` the curvature goes on as well (right).",
+        "A flattened cap of an ellipsoid is faired; colours are the curvature. With tangent planes alone (left) an edge shows around it;\n"
+        "with `--continuity g2` (right) the curvature goes on, too.",
         [
             "fairmesh generate ellipsoid --vertices 4000 --triangulation irregular --start flat --outside 10 -o flat.ply --free cap.txt",
             "fairmesh fair flat.ply -o tangent.ply --free cap.txt",
