@@ -110,20 +110,20 @@ def machine() -> str:
 
 PAGE = """# Speed and memory
 
-How long a mesh of your size takes, and how much memory. This page is written by
+How long a mesh of your size takes, and how much memory. Measure your own machine with
 
 ```console
 site/speed.sh
 ```
 
-which measures the machine that it runs on, so run it on yours. Machine of this run: {machine}. Seconds are those of the
-processor, of the whole program with reading and writing, and of one thread. What more threads save: [times](measurements.md#times);
-the time beside other programs: [peers](peers.md#time). All of these end with the outcome `converged`.
+which writes this page. Machine of this run: {machine}. Seconds are CPU seconds of the whole program, with reading and
+writing, on one thread. See also [what more threads save](measurements.md#times) and [other programs](peers.md#time). All of these runs
+converge.
 
 ## Fairing, by size
 
-A cap of an ellipsoid that was laid flat, irregular triangles, nothing given but the mesh. What counts is the number of
-[free](glossary.md) vertices; the rest of the mesh is read, written and hardly looked at.
+A flattened cap of an ellipsoid, irregular triangles, only the mesh given. What counts is the number of [free](glossary.md) vertices;
+the rest of the mesh is little more than read and written.
 
 | free vertices | seconds | microseconds a vertex | MB, one thread | MB, all threads |
 |---|---|---|---|---|
@@ -131,19 +131,19 @@ A cap of an ellipsoid that was laid flat, irregular triangles, nothing given but
 
 ## What makes it longer
 
-The same with {at:,} free vertices, and one thing asked for besides.
+The same with {at:,} free vertices and one option more.
 
 | | seconds | times | iterations |
 |---|---|---|---|
 {variants}
 
-Not in the table: a region that lies badly is tried in several ways, which takes several times as long; `--max-iterations` bounds it,
-500 by default, and a hole's 64. The progress bar tells, and Ctrl-C leaves the file as it was.
+A difficult region is tried in several ways, which takes several times as long. `--max-iterations` bounds it: 500 by default, 64 for a
+hole. Ctrl-C leaves the file as it was.
 
 ## Filling holes, by size
 
-A sphere with a round hole, 60 degrees from its middle to its boundary, by size of the mesh. A patch that would have more than 200,000
-vertices is coarser inside (`--max-new-vertices`): that of the largest mesh here.
+A sphere with a round hole of 60 degrees half-angle, by size of the mesh. A patch that would have more than 200,000 vertices is coarser
+inside (`--max-new-vertices`), as that of the largest mesh here.
 
 | vertices | new vertices | seconds | MB |
 |---|---|---|---|
