@@ -25,12 +25,10 @@ def dented(segments=64):
 
 
 def test_uv_sphere():
-    for segments in (70, 262):
-        common.clear()
-        obj, free = dented(segments)
-        assert radial_error(obj, free) > 0.5
-        assert fair() == {"FINISHED"}
-        assert radial_error(obj, free) < BAR, radial_error(obj, free)
+    obj, free = dented(70)
+    assert radial_error(obj, free) > 0.5
+    assert fair() == {"FINISHED"}
+    assert radial_error(obj, free) < BAR, radial_error(obj, free)
 
 
 def test_components_are_counted_where_some_are_not_fair():
@@ -56,23 +54,12 @@ def test_components_are_counted_where_some_are_not_fair():
     assert kind == "WARNING" and "(2 of 3 separate parts are fair; one that is not is at vertex 20)" in text
 
 
-def test_irregular_sphere():
-    for frequency in (16, 57, 158):
-        common.clear()
-        obj = irregular_sphere(frequency)
-        free = flatten_cap(obj)
-        fair()
-        assert radial_error(obj, free) < BAR, radial_error(obj, free)
-
-
 def test_far_from_the_origin():
     # A float at 1,000 is exact to 3e-5: that is the error of the surroundings, too.
-    for frequency in (16, 57):
-        common.clear()
-        obj = irregular_sphere(frequency)
-        free = flatten_cap(obj, offset=(1000, 0, 0))
-        fair()
-        assert radial_error(obj, free, (1000, 0, 0)) < 1.5e-4, radial_error(obj, free, (1000, 0, 0))
+    obj = irregular_sphere(16)
+    free = flatten_cap(obj, offset=(1000, 0, 0))
+    fair()
+    assert radial_error(obj, free, (1000, 0, 0)) < 1.5e-4, radial_error(obj, free, (1000, 0, 0))
 
 
 def test_fixed_vertices_keep_their_bits():
@@ -177,31 +164,6 @@ def test_a_crease_is_told_and_can_be_selected():
     assert bpy.ops.mesh.fairmesh_select_found() == {"FINISHED"}
     chosen = [v for v in bmesh.from_edit_mesh(obj.data).verts if v.select]
     assert len(chosen) == report.creased_vertex_count > 0
-
-
-def test_the_nearest_member_is_a_result_with_a_remark():
-    # A tube whose ends flare like cones: no harmonic surface is found between them.
-    around, rows, outer = 12, 7, 3
-    step, tilt = 3 / (rows - 1), np.radians(40)
-    row = np.arange(-outer, rows + outer)
-    inside = np.clip(row, 0, rows - 1)
-    r = 1 + step * np.abs(row - inside) * np.sin(tilt)
-    z = step * (inside + (row - inside) * np.cos(tilt))
-    turn = 2 * np.pi * np.arange(around) / around
-    vertices = [(a * np.cos(t), a * np.sin(t), b) for a, b in zip(r, z, strict=True) for t in turn]
-    cells = [(i * around, j, (j + 1) % around) for i in range(len(row) - 1) for j in range(around)]
-    faces = [(i + j, i + k, i + around + k, i + around + j) for i, j, k in cells]
-    obj = common.add("tube", vertices, faces)
-    edit(obj)
-    common.select_faces(obj, lambda f: 0 < f.calc_center_median().z < 3)
-    before = coordinates(obj)
-    selected = [f.index for f in bmesh.from_edit_mesh(obj.data).faces if f.select]
-    assert fair() == {"FINISHED"}
-    report, kind, text = last_run()
-    assert report.outcome == "nearest_member", report.outcome
-    assert kind == "WARNING" and f"(w = {report.member_weight:.3g} " in text and "Look at it" in text, text
-    assert not np.array_equal(before, coordinates(obj))
-    assert selected == [f.index for f in bmesh.from_edit_mesh(obj.data).faces if f.select]
 
 
 def dented_below_a_needle():
@@ -405,19 +367,6 @@ def test_mirror_editing_across_the_plane():
     assert radial_error(obj, free) < BAR, radial_error(obj, free)
 
 
-def test_two_regions():
-    obj = uv_sphere(64, 32)
-    edit(obj)
-    common.select_faces(obj, lambda f: all(abs(v.co.z) > 0.5 for v in f.verts))
-    mesh = bmesh.from_edit_mesh(obj.data)
-    free = [v for v in mesh.verts if v.select and all(f.select for f in v.link_faces)]
-    for vertex in free:
-        vertex.co.z = 0.5 if vertex.co.z > 0 else -0.5
-    bmesh.update_edit_mesh(obj.data)
-    fair()
-    assert radial_error(obj, np.array([v.index for v in free])) < BAR
-
-
 def test_loose_vertices_and_edges():
     sphere = uv_sphere(64, 32)
     vertices, faces = coordinates(sphere), [list(p.vertices) for p in sphere.data.polygons]
@@ -563,20 +512,6 @@ def test_scaled_objects_are_faired_as_they_are_seen():
         assert np.abs(np.linalg.norm(seen, axis=1) - 1).max() < BAR
 
 
-def test_bulge():
-    # A flat disc of radius a with Delta H = c rises by about c a^4 / 32 with sign: positive goes out.
-    heights = []
-    for constant in (-100.0, 0.0, 100.0):
-        common.clear()
-        bpy.ops.mesh.primitive_grid_add(x_subdivisions=40, y_subdivisions=40, size=2)
-        obj = bpy.context.object
-        edit(obj)
-        common.select_faces(obj, lambda f: f.calc_center_median().length < 0.7)
-        fair(target="CONSTANT", constant=constant)
-        heights.append(coordinates(obj)[:, 2][np.abs(coordinates(obj)[:, 2]).argmax()])
-    assert abs(heights[1]) < 1e-6 and heights[2] > 0.05 and abs(heights[0] + heights[2]) < 1e-3 * heights[2], heights
-
-
 def test_options_reach_the_library():
     obj, free = dented()
     before = coordinates(obj)
@@ -588,6 +523,7 @@ def test_options_reach_the_library():
         {"boundary_normals": "AVERAGED"},
         {"boundary_normals": "AVERAGED", "continuity": 1.0},
         {"target": "MINIMAL_ENERGY"},
+        {"target": "CONSTANT", "constant": 10.0},
         {"digits": 3},
         {"max_iterations": 2},
     ):
@@ -601,23 +537,6 @@ def test_options_reach_the_library():
     for name in ("{}", "{'inner_fairness': 'CONFORMAL'}", "{'inner_fairness': 'CONVEX'}"):
         assert np.abs(np.linalg.norm(places[name], axis=1) - 1).max() < BAR, name
     assert part("fair_operator").last_reports[0].outcome == "iteration_limit"
-
-
-def test_continuity_of_curvature():
-    # An ellipsoid: tangent planes alone leave a jump of the curvature.
-    obj, free = dented()
-    obj.scale = (1.0, 0.95, 0.9)
-    bpy.context.view_layer.update()
-    before = coordinates(obj)
-    jumps = []
-    for continuity in (0.0, 0.5, 1.0):
-        restore(obj, before)
-        fair(continuity=continuity)
-        (component,) = part("fair_operator").last_reports[0].components
-        jumps.append([loop.jump for loop in component.continuity])
-        assert all(loop.reached <= continuity for loop in component.continuity)
-        assert all(loop.jump <= loop.jump_before for loop in component.continuity)
-    assert jumps[0] == [] and len(jumps[1]) == len(jumps[2]) == 1 and jumps[2] < jumps[1], jumps
 
 
 def test_what_is_not_continued_is_told():
@@ -703,23 +622,6 @@ def test_coordinates_that_are_no_numbers():
     bmesh.update_edit_mesh(obj.data)
     message = runner.raises(fair, f"vertex {free[5]} of {obj.name}", "Repair the vertex")
     assert message.count("vertex") >= 1
-
-
-def test_folded_surroundings_are_a_warning_and_the_mesh_is_usable():
-    # The boundary's normals contradict each other: no fair surface has them.
-    bpy.ops.mesh.primitive_cylinder_add(vertices=48, end_fill_type="NOTHING", depth=2)
-    obj = bpy.context.object
-    edit(obj)
-    bpy.ops.mesh.select_all(action="SELECT")
-    bpy.ops.mesh.subdivide(number_cuts=5)
-    bpy.ops.mesh.select_all(action="DESELECT")
-    fair_region = [f for f in bmesh.from_edit_mesh(obj.data).faces if abs(f.calc_center_median().z) < 0.5]
-    for face in fair_region:
-        face.select_set(True)
-    bmesh.update_edit_mesh(obj.data)
-    fair()
-    rho = np.linalg.norm(coordinates(obj)[:, :2], axis=1)
-    assert np.isfinite(rho).all()
 
 
 def test_undo_and_redo():

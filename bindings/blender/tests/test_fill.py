@@ -192,15 +192,6 @@ def test_the_outer_boundary_of_a_piece_is_filled_on_demand_only():
     assert not boundary_edges(obj)
 
 
-def test_a_triangle():
-    obj = irregular_sphere(8)
-    delete_faces(obj, lambda f: f.index == 100)
-    vertices = len(coordinates(obj))
-    fill(scope="ALL")
-    assert not boundary_edges(obj)
-    assert len(coordinates(obj)) == vertices
-
-
 def test_density_and_fairing_are_options():
     sizes = []
     for options in ({}, {"density": 2.0}, {"smooth": False}):
@@ -250,15 +241,6 @@ def test_undo():
     bpy.ops.ed.redo()
     obj = bpy.data.objects[name]
     assert len(coordinates(obj)) > old and not boundary_edges(obj)
-
-
-def test_fill_then_fair_again():
-    obj, old = holed()
-    select_boundary(obj)
-    fill(smooth=False)
-    bpy.context.tool_settings.mesh_select_mode = (False, False, True)
-    bpy.ops.mesh.fairmesh_fair()
-    assert np.abs(np.linalg.norm(coordinates(obj), axis=1) - 1).max() < BAR
 
 
 def colors(obj):

@@ -50,14 +50,6 @@ def test_a_sphere_without_a_band_is_joined():
     assert all(abs(f.calc_center_median().z) < 0.4 for f in selected)
 
 
-def test_a_sphere_in_four_pieces_is_joined():
-    obj = irregular_sphere(30)
-    delete_faces(obj, lambda f: min(abs(c) for v in f.verts for c in v.co[:2]) < 0.04)
-    select_boundary(obj)
-    join()
-    check_whole_sphere(obj)
-
-
 def test_loops_that_belong_together_are_found():
     for call in (lambda: join(groups="AUTO"), lambda: fill(scope="ALL", join=True)):
         common.clear()
@@ -359,7 +351,6 @@ def test_a_rough_rim_is_smoothed_and_undo_is_one_step():
     select_boundary(obj)
     bpy.ops.ed.undo_push(message="before")
     fill("EXEC_DEFAULT", True)
-    stiff = np.linalg.norm(coordinates(obj)[count:], axis=1) - 1
     assert np.array_equal(coordinates(obj)[:count], start)
     bpy.ops.ed.undo()
     obj = bpy.data.objects[name]
@@ -367,8 +358,6 @@ def test_a_rough_rim_is_smoothed_and_undo_is_one_step():
     after = coordinates(obj)
     moved = (after[:count] != start).any(axis=1)
     assert moved.sum() > 100 and start[moved, 2].min() > 0.4
-    soft = np.linalg.norm(after[count:], axis=1) - 1
-    assert np.sqrt((soft**2).mean()) < 0.5 * np.sqrt((stiff**2).mean())
     normals_are_right(obj)
     bpy.ops.ed.undo()
     assert np.array_equal(coordinates(bpy.data.objects[name]), start)
