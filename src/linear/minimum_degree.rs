@@ -7,12 +7,9 @@
 use super::elimination::NONE;
 use super::sparse::SymmetricPattern;
 
-/// A row with more than this times the square root of the number of rows is ordered last, unless it is shorter than `SHORT`.
+/// A row with more than this times the square root of the number of rows is ordered last.
 /// Half or double, of 128 cases: none changes.
 const DENSE: f64 = 10.0;
-/// Entries of a row that is ordered with the others however many rows there are.
-/// Half or double, of 128 cases: none changes.
-const SHORT: usize = 16;
 
 /// An approximate minimum degree order of a matrix, `order[new] = old`.
 pub fn amd(pattern: &SymmetricPattern) -> Vec<u32> {
@@ -67,7 +64,7 @@ impl QuotientGraph {
         let n = pattern.order();
         let graph = pattern.adjacency();
         let length: Vec<u32> = graph.start.windows(2).map(|w| (w[1] - w[0]) as u32).collect();
-        let dense = ((DENSE * (n as f64).sqrt()) as usize).max(SHORT) as u32;
+        let dense = (DENSE * (n as f64).sqrt()) as u32;
         let mut this = Self {
             list: graph.neighbour,
             start: graph.start,

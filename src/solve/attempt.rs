@@ -126,7 +126,7 @@ const PATIENT: IterateOptions = IterateOptions {
 
 /// Step norm of surfaces that others begin with.
 /// Of 42 cases, half: 1 changes by up to 9e-9 edges, +1 % iterations; double: 1 changes by up to 2e-13 edges, -2 % iterations.
-const COARSE: f64 = 1e-4;
+pub(crate) const COARSE: f64 = 1e-4;
 
 /// Goes on where attempts have stalled.
 const fn along_normals(mesh: MeshLevel) -> Rung {

@@ -18,7 +18,7 @@ use crate::solve::g2::shrinkage::Trusted;
 /// The most modes of a loop.
 /// Of 14 cases, half: 1 changes by up to 2 edges, -15 % iterations; double: none changes.
 const MOST_MODES: usize = 32;
-/// A mode for so many vertices at most: the waves of shorter ones are not resolved.
+/// A mode for so many vertices at most: the waves of shorter ones are not resolved. Loops with fewer vertices stay as they are.
 /// Of 14 cases, half: 10 change by up to 0.8 edges, +24 % iterations; double: 8 change by up to 2 edges, -15 % iterations.
 const LEAST_VERTICES_PER_MODE: usize = 8;
 /// The trace inside takes samples within this many edges.
@@ -27,9 +27,6 @@ const NEAR: usize = 3;
 /// The trace is an extrapolation, and takes samples from further away, where the absolute values of its weights have a sum above this.
 /// Of 14 cases, half: 8 change by up to 1 edge, -14 % iterations; double: 8 change by up to 0.8 edges, -2 % iterations.
 const STEADY: f64 = 5.0;
-/// Loops with fewer vertices stay as they are.
-/// Half or double, of 14 cases: none changes.
-const FEWEST_VERTICES: usize = 8;
 
 /// Continuity of the curvature, as it is asked for.
 #[derive(Debug, Clone, Default)]
@@ -178,7 +175,9 @@ pub(in crate::solve) fn loop_conditions(
 ) -> Vec<LoopCondition> {
     let outside = Outside::new(domain);
     let loops = boundary_loops(&domain.region, &domain.rings);
-    let long = loops.into_iter().filter(|along| along.len() >= FEWEST_VERTICES);
+    let long = loops
+        .into_iter()
+        .filter(|along| along.len() >= LEAST_VERTICES_PER_MODE);
     // Where tangent planes alone are asked for, Delta_B H is 0.
     let continued = long.filter(|along| asked.of_loop(along) > 0.0);
     let conditions = continued.filter_map(|along| loop_condition(along, &outside, normals, surface, asked));

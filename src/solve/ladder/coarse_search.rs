@@ -1,6 +1,7 @@
 //! The search on the coarse mesh: a solve of its own, whose surface is where the one on the fine mesh begins.
 
 use super::Ladder;
+use crate::solve::attempt::COARSE;
 use crate::solve::coarse::CoarseLevel;
 use crate::solve::coarse_result::CoarseResult;
 use crate::solve::control::{Control, SEARCHED};
@@ -9,9 +10,6 @@ use crate::solve::result::{SolveStatus, Trial};
 use crate::solve::system::System;
 use crate::support::stopwatch::Stopwatch;
 
-/// Step norm of surfaces on the coarse mesh: it is smaller than what lies between both meshes.
-/// Of 10 cases, half: 9 change by up to 0.009 edges, +2 % iterations; double: 3 change by up to 0.05 edges.
-const TOLERANCE: f64 = 1e-4;
 /// Iterations there.
 /// Half or double, of 10 cases: none changes.
 const ITERATIONS: usize = 600;
@@ -41,7 +39,7 @@ fn searched(system: &System, control: &mut Control<'_>) -> (CoarseResult, Vec<Tr
     let Some(level) = CoarseLevel::new(&fine) else {
         return (CoarseResult::NoCoarseMesh, Vec::new());
     };
-    let solved = control.within((PHASE, SEARCHED), TOLERANCE, ITERATIONS, |control| {
+    let solved = control.within((PHASE, SEARCHED), COARSE, ITERATIONS, |control| {
         let ladder = Ladder {
             coarse: Some(CoarseResult::NoCoarseMesh),
             is_search: true,
