@@ -509,7 +509,7 @@ mod tests {
         let (mut area, mut worst) = (0.0, f64::INFINITY);
         for t in 0..patch.triangles.len() {
             let cross = patch.cross(t);
-            assert!(cross.z > 0.0);
+            assert_above!(cross.z, 0.0);
             area += 0.5 * cross.z;
             worst = smallest_angle(&patch.triangles[t].map(|v| patch.x[v as usize])).min(worst);
         }

@@ -421,7 +421,7 @@ mod tests {
             };
             later[first as usize] += 1;
         }
-        assert!(later.iter().all(|&l| l <= 1));
+        assert_all!(later.iter(), |&l| l <= 1);
         assert_eq!(
             fill(&SymmetricPattern::from_edges(40, &complete(40))),
             40 * 41 / 2
