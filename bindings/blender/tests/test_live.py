@@ -97,18 +97,6 @@ def test_falloff_keeps_the_other_side_as_it_was():
     assert np.abs(off[x < -0.8]).max() < 0.2 * off[x > 0.6].max(), (off[x < -0.8], off[x > 0.6].max())
 
 
-def test_twist_raises_one_side_and_lowers_the_other():
-    obj, free, loop = cap()
-    vertex = max(loop.vertices, key=lambda v: common.coordinates(obj)[v][0])
-    ahead = loop.vertices[loop.distances(vertex) > 0]
-    y = np.sign(common.coordinates(obj)[ahead][:, 1].mean())
-    live([edit("TWIST", vertex, 15)])
-    positions = common.coordinates(obj)[free]
-    off = np.linalg.norm(positions, axis=1) - 1
-    side = positions[:, 1] * y
-    assert off[side > 0.5].mean() > 0.005 and off[side < -0.5].mean() < -0.005
-
-
 def test_what_is_mirrored_is_symmetric():
     obj, free, loop = cap()
     vertex = max(loop.vertices, key=lambda v: common.coordinates(obj)[v] @ (1, 0.3, 0))
@@ -280,29 +268,6 @@ def test_the_wheel_goes_from_the_whole_loop_to_two_edges_and_back():
         now.widen(True, edge, 1.0)
     assert now.current.falloff == 0
     assert (now.weights(1.0) == 1).all()
-
-
-def test_frames_come_to_what_a_new_run_finds():
-    """Tilted degree by degree in frames, and at once; and nothing is kept from frame to frame."""
-    obj, free, loop = cap(lambda: common.irregular_sphere(24))
-    moving = region(obj, tolerance=1e-10)
-    monitor = part("fairmesh").Monitor()
-    part("native").load()
-    moving.start(monitor)
-    kind = part("live_edits").Edit
-    vertex = int(loop.vertices[0])
-    for degrees in range(1, 21):
-        moving.edit([kind("TILT", vertex, math.radians(degrees), falloff=3.0)], ())
-        moving.update(0.04)
-    moving.finish()
-    found, _ = moving.positions()
-    moving.close()
-    fresh = region(obj, tolerance=1e-10)
-    fresh.start(monitor)
-    fresh.edit([kind("TILT", vertex, math.radians(20), falloff=3.0)], ())
-    fresh.finish()
-    assert np.abs(fresh.positions()[0] - found).max() < 1e-7
-    fresh.close()
 
 
 def memory():
