@@ -324,7 +324,7 @@ fn functions_of_tests_are_short() {
         Some((name, tests.to_owned()))
     });
     let tests = rust_files("tests").into_iter();
-    // Those of the command line have nine that are longer.
+    // Some of the command line are longer still.
     let tests = tests.filter(|name| !name.starts_with("tests/cli/"));
     let tests = tests.map(|name| (name.clone(), read(&name)));
     let mut count = 0;
