@@ -1302,47 +1302,6 @@ static void live(void) {
     cap_free(&cap);
 }
 
-/* Where no harmonic surface is found, the nearest member of the family is told with its weight and with what was tried. */
-static void nearest_member(void) {
-    Cap cap = cap_new(15);
-    fairmesh_mesh mesh = cap.mesh;
-    fairmesh_selection selection = cap.selection;
-    fairmesh_options options = quick();
-    fairmesh_report report;
-    fairmesh_component part;
-    fairmesh_attempt attempt;
-    fairmesh_error error;
-    fairmesh_result *result = NULL;
-    uint64_t k, iterations = 0;
-    Tube *tube = (Tube *)must(malloc(sizeof *tube));
-    tube_make(tube);
-    mesh.positions = points_of(tube->positions, TUBE_VERTICES);
-    mesh.triangles.data = tube->corners;
-    mesh.triangles.count = sizeof tube->corners / sizeof tube->corners[0] / 3;
-    selection.data = tube->free_mask;
-    selection.count = TUBE_VERTICES;
-    report.struct_size = sizeof report;
-    part.struct_size = sizeof part;
-    attempt.struct_size = sizeof attempt;
-    OK(fairmesh_fair(&mesh, &selection, &options, NULL, &report, &result, &error));
-    CHECK(report.outcome == FAIRMESH_OUTCOME_NEAREST_MEMBER && !report.linear_surface && report.reached == 1);
-    CHECK(report.member_weight > 0 && report.member_weight <= 1 && report.bending_energy > 0);
-    OK(fairmesh_result_component(result, 0, 0, &part, &error));
-    CHECK(part.member_weight == report.member_weight && part.bending_energy == report.bending_energy);
-    CHECK(part.attempt_count > 1);
-    for (k = 0; k < part.attempt_count; k++) {
-        OK(fairmesh_result_attempt(result, 0, 0, k, &attempt, &error));
-        CHECK(attempt.free_vertices == report.free_vertices);
-        CHECK(attempt.end != FAIRMESH_ATTEMPT_END_SOUND || attempt.bending_energy > 0);
-        iterations += attempt.iterations;
-    }
-    CHECK(iterations == report.iterations);
-    CHECK(strcmp(attempt.name, "nearest member") == 0 && attempt.end == FAIRMESH_ATTEMPT_END_SOUND);
-    OK(fairmesh_result_free(result));
-    free(tube);
-    cap_free(&cap);
-}
-
 /* Half of the way to a given mean curvature: by a list, or one number per vertex, as a float, with NaN where none is given. */
 static void continuity(void) {
     Cap cap = cap_new(31);
@@ -1461,7 +1420,6 @@ int main(void) {
     versions();
     one_shot();
     intersections();
-    nearest_member();
     in_steps();
     live();
     continuity();

@@ -53,42 +53,6 @@ static int cap_is_free(size_t side, size_t v) {
     return i > frame && i + frame + 1 < side && j > frame && j + frame + 1 < side;
 }
 
-/* A tube of radius 1 whose ends flare like cones. No harmonic surface is found between the flares, but one of a neighbouring
- * equation. */
-enum { TUBE_ROUND = 12, TUBE_ROWS = 13, TUBE_OUTER = 3, TUBE_VERTICES = TUBE_ROUND * TUBE_ROWS };
-typedef struct {
-    double positions[3 * TUBE_VERTICES];
-    uint32_t corners[6 * TUBE_ROUND * (TUBE_ROWS - 1)];
-    uint8_t free_mask[TUBE_VERTICES];
-} Tube;
-
-COMMON_MAY_STAY_UNUSED static void tube_make(Tube *tube) {
-    const double tilt = 40 * 3.14159265358979323846 / 180, turn = 2 * 3.14159265358979323846 / TUBE_ROUND;
-    int i, j;
-    for (i = 0; i < TUBE_ROWS; i++) {
-        int last = TUBE_ROWS - 1 - TUBE_OUTER, inside = i < TUBE_OUTER ? TUBE_OUTER : i > last ? last : i;
-        double r = 1 + 0.5 * fabs((double)(i - inside)) * sin(tilt);
-        double z = 0.5 * (inside - TUBE_OUTER) - 1.5 + 0.5 * (i - inside) * cos(tilt);
-        for (j = 0; j < TUBE_ROUND; j++) {
-            int v = i * TUBE_ROUND + j;
-            tube->positions[3 * v] = r * cos(turn * j);
-            tube->positions[3 * v + 1] = r * sin(turn * j);
-            tube->positions[3 * v + 2] = z;
-            tube->free_mask[v] = i > TUBE_OUTER && i < last;
-        }
-    }
-    for (i = 0; i < TUBE_ROWS - 1; i++) {
-        for (j = 0; j < TUBE_ROUND; j++) {
-            uint32_t *t = tube->corners + 6 * (i * TUBE_ROUND + j);
-            uint32_t a = (uint32_t)(i * TUBE_ROUND + j), b = (uint32_t)(i * TUBE_ROUND + (j + 1) % TUBE_ROUND);
-            t[0] = t[3] = a;
-            t[1] = b;
-            t[2] = t[4] = b + TUBE_ROUND;
-            t[5] = a + TUBE_ROUND;
-        }
-    }
-}
-
 /* The unit sphere without a band around its equator: two caps of rows of vertices around the poles. */
 enum { BALL_ROUND = 24, BALL_ROWS = 5, BALL_CAP = 1 + BALL_ROUND * BALL_ROWS, BALL_VERTICES = 2 * BALL_CAP };
 enum { BALL_CAP_TRIANGLES = BALL_ROUND * (2 * BALL_ROWS - 1), BALL_TRIANGLES = 2 * BALL_CAP_TRIANGLES };
