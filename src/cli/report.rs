@@ -533,7 +533,10 @@ mod tests {
                 is_verbose: false,
                 asks_continuity: false,
             };
-            assert_contains!(summary.readable(), "\n  what to do:");
+            let text = summary.readable();
+            assert_contains!(text, "\n  what to do:");
+            let is_member = matches!(report.outcome, Outcome::NearestMember { .. });
+            assert_eq!(text.contains("with w = 0.2500; w is 0 for harmonic"), is_member);
         }
         assert_eq!(Outcome::Converged.remedy(), "");
     }

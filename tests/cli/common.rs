@@ -105,32 +105,6 @@ pub fn obj(positions: &[[f64; 3]]) -> String {
     text
 }
 
-/// A tube of radius 1 whose ends flare like cones: OFF, and the list of its free vertices. There is no harmonic surface
-/// between the flares that is found.
-pub fn flared_tube() -> (String, String) {
-    const ROUND: usize = 12;
-    const ROWS: usize = 13;
-    const OUTER: usize = 3;
-    let (sin, cos) = 40f64.to_radians().sin_cos();
-    let mut text = format!("OFF\n{} {} 0\n", ROUND * ROWS, 2 * ROUND * (ROWS - 1));
-    for i in 0..ROWS {
-        let inside = i.clamp(OUTER, ROWS - 1 - OUTER);
-        let beyond = i as f64 - inside as f64;
-        let r = 1.0 + 0.5 * beyond.abs() * sin;
-        let z = 0.5 * (inside as f64 - OUTER as f64) - 1.5 + 0.5 * beyond * cos;
-        for j in 0..ROUND {
-            let (y, x) = (std::f64::consts::TAU * j as f64 / ROUND as f64).sin_cos();
-            text += &format!("{} {} {z}\n", r * x, r * y);
-        }
-    }
-    for (i, j) in (0..ROWS - 1).flat_map(|i| (0..ROUND).map(move |j| (i, j))) {
-        let (a, b) = (i * ROUND + j, i * ROUND + (j + 1) % ROUND);
-        let (c, d) = (a + ROUND, b + ROUND);
-        text += &format!("3 {a} {b} {d}\n3 {a} {d} {c}\n");
-    }
-    (text, list(ROUND * (OUTER + 1)..ROUND * (ROWS - 1 - OUTER)))
-}
-
 /// Largest distance of a vertex from the unit sphere.
 pub fn off_sphere(positions: &[[f64; 3]]) -> f64 {
     let distance = |p: &[f64; 3]| (p.iter().map(|c| c * c).sum::<f64>().sqrt() - 1.0).abs();
