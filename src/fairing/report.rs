@@ -291,7 +291,7 @@ pub struct Seconds {
 }
 
 /// Triangles of the surface that intersect each other or the rest of the mesh. Two triangles intersect if they have more in
-/// common than a vertex of both or an edge of both, see [`self_intersections`](crate::measure::self_intersections).
+/// common than a vertex of both or an edge of both, see [`self_intersections`](crate::self_intersections).
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct SelfIntersections {
     /// Pairs of triangles by the caller's numbers, the smaller first, ascending; at least one of each has a free vertex. No
