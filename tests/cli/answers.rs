@@ -245,7 +245,7 @@ fn cases(key: &str) -> (Value, Vec<Value>) {
 }
 
 #[test]
-fn answers_are_the_librarys() {
+fn answers_are_those_of_the_library() {
     let directory = directory("answers");
     let (meshes, cases) = cases("answer");
     let mut left = Vec::new();
@@ -286,7 +286,7 @@ fn answers_are_the_librarys() {
 }
 
 #[test]
-fn refusals_are_the_librarys_and_name_the_flag() {
+fn refusals_are_those_of_the_library_and_name_the_flag() {
     let directory = directory("refusals");
     let (meshes, cases) = cases("error");
     // What a file names, or does not, is an error of the file.

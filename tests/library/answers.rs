@@ -684,7 +684,7 @@ fn difference(path: &str, a: &Value, b: &Value) -> Option<String> {
 }
 
 #[test]
-fn the_answers_that_hosts_compare_with_are_the_librarys() {
+fn the_answers_that_hosts_compare_with_are_those_of_the_library() {
     let now = written();
     if std::env::var_os("FAIRMESH_WRITE").is_some() {
         std::fs::write(FILE, text(&now)).unwrap();
