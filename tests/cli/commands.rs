@@ -79,66 +79,77 @@ fn wrong_usage_exits_with_2() {
     assert!(!directory.join("x.obj").exists());
 }
 
+/// Expects that the cap is not faired with these flags, and why in one line.
+fn not_faired(directory: &Path, more: &[&str], message: &str) {
+    refused(
+        directory,
+        &[&["fair", "cap.obj", "-o", "out.obj"], more].concat(),
+        message,
+    );
+    assert!(!directory.join("out.obj").exists());
+}
+
+/// The same with each of these texts as `bad.txt`.
+fn none_is_taken(directory: &Path, more: &[&str], texts: &[(&str, &str)]) {
+    for (text, message) in texts {
+        fs::write(directory.join("bad.txt"), text).unwrap();
+        not_faired(directory, more, message);
+    }
+}
+
 #[test]
-fn wrong_input_is_told_in_one_line() {
-    let directory = prepared("input");
-    let write = |name: &str, text: &str| fs::write(directory.join(name), text).unwrap();
-    let fair = |more: &[&str], message: &str| {
-        refused(
-            &directory,
-            &[&["fair", "cap.obj", "-o", "out.obj"], more].concat(),
-            message,
-        );
-    };
-    fair(&[], "cap.obj: nothing says which vertices may move; say a place");
-    fair(&["--selection", "flags"], "cap.obj: there is no property 'flags'");
-    fair(&["--free", "none.txt"], "none.txt: cannot read:");
-    write("bad.txt", "# one\n1\n\n2x\n");
-    fair(
-        &["--free", "bad.txt"],
-        "bad.txt:4: index: '2x' is not a whole number",
+fn a_region_that_is_wrong_is_told_in_one_line() {
+    let directory = prepared("input-region");
+    not_faired(
+        &directory,
+        &[],
+        "cap.obj: nothing says which vertices may move; say a place",
     );
-    write("bad.txt", "1 2\n");
-    fair(
-        &["--free", "bad.txt"],
-        "bad.txt:1: '2' is more than this line should have",
+    not_faired(
+        &directory,
+        &["--selection", "flags"],
+        "cap.obj: there is no property 'flags'",
     );
-    write("bad.txt", "0\n225\n");
-    fair(
-        &["--free", "bad.txt"],
-        "bad.txt:2: index 225 is out of range: the mesh has 225 vertices, counted from 0",
-    );
-    write("bad.txt", "-1\n");
-    fair(
-        &["--faces", "bad.txt"],
-        "bad.txt:1: index -1 is out of range: the mesh has 196 faces, counted from 0",
-    );
-    write("bad.txt", "# nothing\n");
-    fair(&["--faces", "bad.txt"], "bad.txt: the file names no faces");
-    write("bad.txt", "4 0 1\n");
-    fair(
-        &["--free", "free.txt", "--normals", "bad.txt"],
-        "bad.txt:1: normal has 2 of 3 numbers",
-    );
-    write("bad.txt", "4 0 1 2\n5 0 0 0\n");
-    fair(
-        &["--free", "free.txt", "--normals", "bad.txt"],
-        "bad.txt:2: the normal of vertex 5 is zero or not finite",
-    );
-    write("bad.txt", "4 0 1 inf\n");
-    fair(
-        &["--free", "free.txt", "--normals", "bad.txt"],
-        "bad.txt:1: the normal of vertex 4 is zero or not finite",
-    );
-    let curvature = [
-        "--free",
-        "free.txt",
-        "--continuity",
-        "g2",
-        "--boundary-curvature",
-        "bad.txt",
+    not_faired(&directory, &["--free", "none.txt"], "none.txt: cannot read:");
+    let vertices = [
+        ("# one\n1\n\n2x\n", "bad.txt:4: index: '2x' is not a whole number"),
+        ("1 2\n", "bad.txt:1: '2' is more than this line should have"),
+        (
+            "0\n225\n",
+            "bad.txt:2: index 225 is out of range: the mesh has 225 vertices, counted from 0",
+        ),
     ];
-    for (text, message) in [
+    none_is_taken(&directory, &["--free", "bad.txt"], &vertices);
+    let faces = [
+        (
+            "-1\n",
+            "bad.txt:1: index -1 is out of range: the mesh has 196 faces, counted from 0",
+        ),
+        ("# nothing\n", "bad.txt: the file names no faces"),
+    ];
+    none_is_taken(&directory, &["--faces", "bad.txt"], &faces);
+}
+
+#[test]
+fn normals_that_are_wrong_are_told_in_one_line() {
+    let texts = [
+        ("4 0 1\n", "bad.txt:1: normal has 2 of 3 numbers"),
+        (
+            "4 0 1 2\n5 0 0 0\n",
+            "bad.txt:2: the normal of vertex 5 is zero or not finite",
+        ),
+        (
+            "4 0 1 inf\n",
+            "bad.txt:1: the normal of vertex 4 is zero or not finite",
+        ),
+    ];
+    let flags = ["--free", "free.txt", "--normals", "bad.txt"];
+    none_is_taken(&prepared("input-normals"), &flags, &texts);
+}
+
+#[test]
+fn curvatures_that_are_wrong_are_told_in_one_line() {
+    let texts = [
         (
             "# H\n4 0.5\n5\n",
             "bad.txt:3: the mean curvature of vertex 5 is missing",
@@ -153,15 +164,28 @@ fn wrong_input_is_told_in_one_line() {
             "225 0.5\n",
             "bad.txt:1: index 225 is out of range: the mesh has 225 vertices, counted from 0",
         ),
-    ] {
-        write("bad.txt", text);
-        fair(&curvature, message);
-    }
-    fair(
+    ];
+    let flags = [
+        "--free",
+        "free.txt",
+        "--continuity",
+        "g2",
+        "--boundary-curvature",
+        "bad.txt",
+    ];
+    none_is_taken(&prepared("input-curvatures"), &flags, &texts);
+}
+
+#[test]
+fn files_that_cannot_be_read_or_written_are_told_in_one_line() {
+    let directory = prepared("input-files");
+    not_faired(
+        &directory,
         &["--free", "free.txt", "--json", "cap.obj"],
         "cap.obj: --json would overwrite the mesh",
     );
-    fair(
+    not_faired(
+        &directory,
         &["--free", "free.txt", "--json", "none/a.json"],
         "none/a.json: cannot write: no file can be made in 'none'",
     );
@@ -178,13 +202,14 @@ fn wrong_input_is_told_in_one_line() {
         &nowhere,
         "none/out.obj: cannot write: no file can be made in 'none': it does not exist",
     );
-    write("cut.ply", "ply\nformat ascii 1.0\nelement vertex 2\n");
+    let cut = "ply\nformat ascii 1.0\nelement vertex 2\n";
+    fs::write(directory.join("cut.ply"), cut).unwrap();
     refused(
         &directory,
         &["fair", "cut.ply", "-o", "out.ply"],
         "cut.ply:4: the file ends within the header",
     );
-    assert!(!directory.join("out.obj").exists() && !directory.join("out.ply").exists());
+    assert!(!directory.join("out.ply").exists());
 }
 
 #[test]
@@ -502,15 +527,18 @@ fn what_is_generated_is_faired_and_shown() {
     assert_eq!(size_of_png(&directory.join("both.png"))[1], 3 * 50);
 }
 
+/// Expects a refusal that says this.
+fn refused_for(directory: &Path, args: &[&str], what: &str) {
+    let (_, err) = expect(directory, args, 2);
+    assert!(err.contains(what), "{args:?}: {err}");
+}
+
 #[test]
-fn what_cannot_be_generated_or_shown_is_refused() {
+fn what_cannot_be_generated_is_refused() {
     let directory = directory("generate-refused");
-    let refused = |args: &[&str], what: &str| {
-        let (_, err) = expect(&directory, args, 2);
-        assert!(err.contains(what), "{args:?}: {err}");
-    };
     let generate = |kind: &str, more: &[&str], what: &str| {
-        refused(&[&["generate", kind, "-o", "a.ply"], more].concat(), what);
+        let args = [&["generate", kind, "-o", "a.ply"], more].concat();
+        refused_for(&directory, &args, what);
     };
     generate("saddle", &["--exact", "b.ply"], "no exact surface");
     generate(
@@ -548,6 +576,11 @@ fn what_cannot_be_generated_or_shown_is_refused() {
     generate("revolution", &["--length", "9"], "crosses itself");
     generate("revolution", &["--f0", "1.6", "--c", "0"], "nearer to the axis");
     assert_eq!(fs::read_dir(&directory).unwrap().count(), 0);
+}
+
+#[test]
+fn what_cannot_be_shown_is_refused() {
+    let directory = directory("render-refused");
     expect(
         &directory,
         &["generate", "cylinder-blend", "--vertices", "118", "-o", "a.obj"],
@@ -556,13 +589,13 @@ fn what_cannot_be_generated_or_shown_is_refused() {
     let render = |more: &[&'static str], what: &str| {
         let mut args = vec!["render", "a.obj", "-o", "a.png"];
         args.extend(more);
-        refused(&args, what);
+        refused_for(&directory, &args, what);
     };
     render(&["--view", "1,2"], "--view 1,2");
     render(&["--size", "10x10"], "--size 10x10");
     render(&["--range", "2,1"], "--range 2,1");
     render(&["--caption", "a", "--caption", "b"], "--caption");
     render(&["--up", "0,0,0"], "--up");
-    refused(&["render", "none.ply", "-o", "a.png"], "none.ply");
+    refused_for(&directory, &["render", "none.ply", "-o", "a.png"], "none.ply");
     assert!(!directory.join("a.png").exists());
 }

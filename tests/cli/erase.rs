@@ -126,10 +126,8 @@ fn what_is_new_takes_over_what_was_there() {
     assert!(error.contains("--erase"), "{error}");
 }
 
-#[test]
-fn texture_coordinates_are_carried_over_on_either_side_of_a_seam() {
-    let directory = directory("carry_texture");
-    // Coordinates are (x, y) on the left half and 5 more on the right one.
+/// The cap as OBJ with texture coordinates: (x, y) on the left half and 5 more on the right one. Red is by x, blue a half.
+fn two_charts() -> String {
     let mut text = String::from("# two charts\nmtllib a.mtl\n");
     for [x, y, z] in cap() {
         let _ = writeln!(text, "v {x} {y} {z} {} 0 0.5", 0.5 + 0.5 * x);
@@ -145,13 +143,33 @@ fn texture_coordinates_are_carried_over_on_either_side_of_a_seam() {
         let corners = [a, b, c, d].map(|v| format!("{}/{}", v + 1, v + shift));
         let _ = writeln!(text, "f {}", corners.join(" "));
     }
-    fs::write(directory.join("in.obj"), &text).unwrap();
-    let made = fill(&directory, "in.obj", "out.obj", &["--carry-over"]);
-    let list = |name: &str| -> Vec<Vec<f64>> {
-        let lines = made.lines().filter_map(|line| line.strip_prefix(name));
-        lines.map(numbers).collect()
+    text
+}
+
+/// What stands behind this name in the lines of an OBJ.
+fn lines_of<'t>(text: &'t str, name: &str) -> Vec<&'t str> {
+    text.lines().filter_map(|line| line.strip_prefix(name)).collect()
+}
+
+fn numbers_of(text: &str, name: &str) -> Vec<Vec<f64>> {
+    lines_of(text, name).into_iter().map(numbers).collect()
+}
+
+/// The vertex and the texture coordinate of each corner of a face, as counted from 0.
+fn corners(face: &str) -> Vec<[usize; 2]> {
+    let corner = |word: &str| {
+        let (v, vt) = word.split_once('/').unwrap();
+        [v, vt].map(|n| n.parse::<usize>().unwrap() - 1)
     };
-    let (vertices, textures) = (list("v "), list("vt "));
+    face.split_whitespace().map(corner).collect()
+}
+
+#[test]
+fn texture_coordinates_are_carried_over_on_either_side_of_a_seam() {
+    let directory = directory("carry_texture");
+    fs::write(directory.join("in.obj"), two_charts()).unwrap();
+    let made = fill(&directory, "in.obj", "out.obj", &["--carry-over"]);
+    let (vertices, textures) = (numbers_of(&made, "v "), numbers_of(&made, "vt "));
     let kept = SIDE * SIDE - (0..SIDE * SIDE).filter(|&v| is_free(v)).count();
     for v in &vertices[kept..] {
         assert!(
@@ -159,17 +177,10 @@ fn texture_coordinates_are_carried_over_on_either_side_of_a_seam() {
             "{v:?}"
         );
     }
-    let faces: Vec<&str> = made.lines().filter_map(|line| line.strip_prefix("f ")).collect();
-    let new = &faces[quads().len() - 36..];
+    let new = &lines_of(&made, "f ")[quads().len() - 36..];
     let mut textured = [0, 0];
     for face in new.iter().filter(|face| face.contains('/')) {
-        let corners: Vec<[usize; 2]> = face
-            .split_whitespace()
-            .map(|word| {
-                let (v, vt) = word.split_once('/').unwrap();
-                [v, vt].map(|n| n.parse::<usize>().unwrap() - 1)
-            })
-            .collect();
+        let corners = corners(face);
         let charts: Vec<usize> = corners
             .iter()
             .map(|c| usize::from(textures[c[1]][0] > 2.0))
@@ -186,16 +197,19 @@ fn texture_coordinates_are_carried_over_on_either_side_of_a_seam() {
         textured.iter().all(|&count| 4 * count > new.len()),
         "{textured:?}"
     );
-    // The faces of the file name the same points as before.
-    let before: Vec<&str> = text.lines().filter_map(|line| line.strip_prefix("f ")).collect();
+    textured_faces_stay(&made);
+}
+
+/// The faces of the file name the same points as before, and the lines around them are there.
+fn textured_faces_stay(made: &str) {
+    let (before, after) = (two_charts(), lines_of(made, "f "));
+    let (before, vertices) = (lines_of(&before, "f "), numbers_of(made, "v "));
     let stay = (0..quads().len()).filter(|&q| !is_selected(q));
-    for (q, now) in stay.zip(&faces) {
-        for (now, then) in now.split_whitespace().zip(before[q].split_whitespace()) {
-            let (v, vt) = now.split_once('/').unwrap();
-            let (old, same) = then.split_once('/').unwrap();
+    for (q, now) in stay.zip(after) {
+        for ([v, vt], [old, same]) in corners(now).into_iter().zip(corners(before[q])) {
             assert_eq!(vt, same);
-            let [x, y, _] = cap()[old.parse::<usize>().unwrap() - 1];
-            assert_eq!(vertices[v.parse::<usize>().unwrap() - 1][..2], [x, y]);
+            let [x, y, _] = cap()[old];
+            assert_eq!(vertices[v][..2], [x, y]);
         }
     }
     assert!(made.starts_with("# two charts\nmtllib a.mtl\n") && made.contains("g all\n"));

@@ -288,22 +288,26 @@ fn what_has_no_face_is_refused_and_left_alone() {
     assert_eq!(fs::read_dir(&directory).unwrap().count(), cases.len());
 }
 
+/// Expects that each of these files is refused, and what is said of it.
+fn refused_with_their_causes(test: &str, cases: &[(&str, &[u8], &str)]) {
+    let directory = directory(test);
+    for (name, bytes, why) in cases {
+        fs::write(directory.join(name), bytes).unwrap();
+        let (_, err) = expect(&directory, &["holes", name], 2);
+        assert!(
+            err.starts_with(&format!("fairmesh: {name}:")) && err.contains(why),
+            "{err}"
+        );
+    }
+}
+
 #[test]
-fn what_is_not_read_is_refused_with_its_cause() {
-    let directory = directory("causes");
-    let no_end = stl().replace("endsolid a cap\n", "");
-    let longer = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
-        element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 2\n";
-    let fewer = binary_stl(|n| n - 3, b"");
-    let more = binary_stl(|n| n + 1, b"");
-    let none = binary_stl(|_| 0, b"");
+fn what_is_no_text_of_a_known_format_is_refused_with_its_cause() {
     let utf16: Vec<u8> = "\u{feff}v 0 0 0"
         .encode_utf16()
         .flat_map(u16::to_le_bytes)
         .collect();
-    let strips = b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
-        element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-    let cases: [(&str, &[u8], &str); 15] = [
+    let cases: [(&str, &[u8], &str); 5] = [
         (
             "a.ply.gz",
             b"ply",
@@ -316,6 +320,18 @@ fn what_is_not_read_is_refused_with_its_cause() {
         ),
         ("a.stl", b"PK\x03\x04", "this file is compressed (zip)"),
         ("a.obj", &utf16, "this text is encoded as UTF-16"),
+        ("mesh", b"", "unknown file format"),
+    ];
+    refused_with_their_causes("causes-formats", &cases);
+}
+
+#[test]
+fn what_off_and_ply_have_but_is_not_read_is_refused_with_its_cause() {
+    let longer = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+        element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 2\n";
+    let strips = b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+        element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    let cases: [(&str, &[u8], &str); 5] = [
         ("b.off", b"OFF BINARY\n\0\0\0\x03", "binary OFF is not supported"),
         ("c.off", b"4OFF\n1 1 1\n", "'4OFF' is not supported"),
         (
@@ -329,6 +345,17 @@ fn what_is_not_read_is_refused_with_its_cause() {
             "this row of element 'face' has more numbers than the header says",
         ),
         ("b.ply", strips, "triangle strips are not supported"),
+    ];
+    refused_with_their_causes("causes-rows", &cases);
+}
+
+#[test]
+fn stl_that_is_not_whole_is_refused_with_its_cause() {
+    let no_end = stl().replace("endsolid a cap\n", "");
+    let fewer = binary_stl(|n| n - 3, b"");
+    let more = binary_stl(|n| n + 1, b"");
+    let none = binary_stl(|_| 0, b"");
+    let cases: [(&str, &[u8], &str); 5] = [
         ("b.stl", no_end.as_bytes(), "the file ends before 'endsolid'"),
         ("c.stl", &fewer, "triangles take"),
         ("d.stl", &more, "triangles take"),
@@ -342,16 +369,16 @@ fn what_is_not_read_is_refused_with_its_cause() {
             b"hello, this is a letter and no mesh",
             "this is not an STL file",
         ),
-        ("mesh", b"", "unknown file format"),
     ];
-    for (name, bytes, why) in cases {
-        fs::write(directory.join(name), bytes).unwrap();
-        let (_, err) = expect(&directory, &["holes", name], 2);
-        assert!(
-            err.starts_with(&format!("fairmesh: {name}:")) && err.contains(why),
-            "{err}"
-        );
-    }
+    refused_with_their_causes("causes-stl", &cases);
+}
+
+#[test]
+fn what_is_piped_without_a_format_is_refused_with_its_cause() {
+    let directory = directory("causes-piped");
+    // Before the file is read, which is not whole.
+    let no_end = stl().replace("endsolid a cap\n", "");
+    fs::write(directory.join("b.stl"), no_end).unwrap();
     for args in [&["holes", "-"][..], &["fill", "b.stl", "-o", "-"]] {
         let (_, err) = expect(&directory, args, 2);
         assert!(

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::fs;
 use std::io::BufReader;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::common::{cap, directory, expect, obj, write_lists};
 use crate::tier::tier;
@@ -107,7 +107,12 @@ fn concentric_spheres_are_as_far_as_their_radii_differ() {
     assert!(red > 2 * green && red > 2 * blue, "{red} {green} {blue}");
     let [red, _, blue] = picture.at(50, 45);
     assert!(blue > red);
-    // A mesh and itself, of another format.
+}
+
+#[test]
+fn a_mesh_has_no_distance_from_itself() {
+    let directory = directory("pictures-same");
+    fs::write(directory.join("inner.off"), sphere(1.0, 48)).unwrap();
     let (out, _) = expect(
         &directory,
         &[
@@ -169,13 +174,17 @@ fn what_cannot_be_measured_is_refused() {
 /// What makes the cap's dent fair.
 const FAIR: [&str; 6] = ["fair", "cap.obj", "-o", "fair.obj", "--free", "free.txt"];
 
+/// `FAIR` with a picture.
+fn with_picture(more: &[&'static str]) -> Vec<&'static str> {
+    [&FAIR[..], &["--picture"], more].concat()
+}
+
 #[test]
 fn before_and_after_are_on_one_sheet() {
     let directory = directory("pictures-sheet");
     fs::write(directory.join("cap.obj"), obj(&cap())).unwrap();
     write_lists(&directory);
-    let with = |more: &[&'static str]| [&FAIR[..], &["--picture"], more].concat();
-    let (out, _) = expect(&directory, &with(&["sheet.png"]), 0);
+    let (out, _) = expect(&directory, &with_picture(&["sheet.png"]), 0);
     assert!(out.starts_with("converged"), "{out}");
     let sheet = shown(&directory.join("sheet.png"));
     // Two columns and the scale; two lines of text, and three rows with captions.
@@ -204,25 +213,31 @@ fn before_and_after_are_on_one_sheet() {
     let (mesh, _) = expect(&directory, &to_stdout, 0);
     assert_eq!(mesh, fs::read_to_string(directory.join("fair.obj")).unwrap());
     assert_eq!(shown(&directory.join("other.png")).size, sheet.size);
+}
 
+#[test]
+fn sheets_that_cannot_be_made_are_refused() {
+    let directory = directory("pictures-no-sheet");
+    fs::write(directory.join("cap.obj"), obj(&cap())).unwrap();
+    write_lists(&directory);
     refused(
         &directory,
-        &with(&["sheet.jpg"]),
+        &with_picture(&["sheet.jpg"]),
         "fairmesh: --picture sheet.jpg: only .png is written; let the name end so",
     );
     refused(
         &directory,
-        &with(&["-"]),
+        &with_picture(&["-"]),
         "fairmesh: --picture -: name a file; stdout is for the mesh or the report",
     );
     refused(
         &directory,
-        &with(&["none/sheet.png"]),
+        &with_picture(&["none/sheet.png"]),
         "fairmesh: none/sheet.png: cannot write: no file can be made in 'none': it does not exist",
     );
     refused(
         &directory,
-        &with(&["sheet.png", "--view", "above"]),
+        &with_picture(&["sheet.png", "--view", "above"]),
         "fairmesh: --view above: give x,y,z or front, back, left, right, top, bottom, corner",
     );
     refused(
@@ -387,19 +402,16 @@ fn a_report_is_one_page_that_says_what_was_done() {
     // Letters of pictures may spell anything.
     let text: String = page.lines().filter(|line| !line.contains("base64")).collect();
     assert!(!text.contains("<b>") && !text.contains("NaN"));
+}
 
+#[test]
+fn a_report_is_html_only() {
+    let directory = directory("pictures-no-report");
+    fs::write(directory.join("cap.obj"), obj(&cap())).unwrap();
+    write_lists(&directory);
     refused(
         &directory,
-        &[
-            "fair",
-            odd,
-            "-o",
-            "fair.obj",
-            "--free",
-            "free.txt",
-            "--report",
-            "report.pdf",
-        ],
+        &[&FAIR[..], &["--report", "report.pdf"]].concat(),
         "fairmesh: --report report.pdf: only .html is written; let the name end so",
     );
 }
@@ -481,98 +493,125 @@ const ABOVE: [&str; 8] = [
     "",
 ];
 
-#[test]
-fn textures_lie_as_their_coordinates_say() {
-    let directory = directory("pictures-textured");
-    let bytes = |text: &str| -> Vec<u8> {
-        let digits = text.as_bytes().chunks(2);
-        digits
-            .map(|two| u8::from_str_radix(std::str::from_utf8(two).unwrap(), 16).unwrap())
-            .collect()
-    };
+/// A directory with the four squares as PNG and as JPEG, and `quad.mtl`, which names them.
+fn with_textures(test: &str) -> PathBuf {
+    let directory = directory(test);
+    let digits = JPEG.as_bytes().chunks(2);
+    let jpeg: Vec<u8> = digits
+        .map(|two| u8::from_str_radix(std::str::from_utf8(two).unwrap(), 16).unwrap())
+        .collect();
     fs::create_dir(directory.join("my maps")).unwrap();
     fs::write(directory.join("my maps/four.png"), four_pixels()).unwrap();
-    fs::write(directory.join("four.jpg"), bytes(JPEG)).unwrap();
+    fs::write(directory.join("four.jpg"), jpeg).unwrap();
     fs::write(
         directory.join("quad.mtl"),
         "newmtl plain\nKd 0 0 1\nnewmtl four\nmap_Kd -s 1 1 1 my maps/four.png\n",
     )
     .unwrap();
-    let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-    let quad = |uv: [f64; 4], library: &str| {
-        let [a, b, c, d] = uv;
-        format!(
-            "mtllib {library}\n{square}vt {a} {b}\nvt {c} {b}\nvt {c} {d}\nvt {a} {d}\nusemtl four\nf 1/1 2/2 3/3 4/4\n"
-        )
-    };
-    let all = ["red", "green", "blue", "white"];
-    let painted = |name: &str, text: &str| {
-        fs::write(directory.join(name), text).unwrap();
-        let args = [&["render", name, "-o", "t.png", "--shade", "texture"], &ABOVE[..]].concat();
-        expect(&directory, &args, 0);
-        quarters(&shown(&directory.join("t.png")), 0)
-    };
-    assert_eq!(painted("quad.obj", &quad([0.0, 0.0, 1.0, 1.0], "quad.mtl")), all);
+    directory
+}
+
+/// The vertices of a square in OBJ.
+const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+/// A square in OBJ with its lower left and its upper right texture coordinates.
+fn quad([a, b, c, d]: [f64; 4], library: &str) -> String {
+    format!(
+        "mtllib {library}\n{SQUARE}vt {a} {b}\nvt {c} {b}\nvt {c} {d}\nvt {a} {d}\nusemtl four\nf 1/1 2/2 3/3 4/4\n"
+    )
+}
+
+/// How a square in PLY with a texture begins.
+const TEXTURED_PLY: &str = "ply\nformat ascii 1.0\ncomment TextureFile four.jpg\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+
+/// A square in PLY with texture coordinates of its face.
+fn quad_of_faces() -> String {
+    format!(
+        "{TEXTURED_PLY}element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n\
+         0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 8 0 0 1 0 1 1 0 1\n"
+    )
+}
+
+/// The colours of a mesh with its texture.
+fn painted(directory: &Path, name: &str, text: &str) -> [&'static str; 4] {
+    fs::write(directory.join(name), text).unwrap();
+    let args = [&["render", name, "-o", "t.png", "--shade", "texture"], &ABOVE[..]].concat();
+    expect(directory, &args, 0);
+    quarters(&shown(&directory.join("t.png")), 0)
+}
+
+/// The four squares as they lie in their pictures.
+const AS_THEY_LIE: [&str; 4] = ["red", "green", "blue", "white"];
+
+#[test]
+fn textures_of_obj_lie_as_their_coordinates_say() {
+    let directory = with_textures("pictures-textured-obj");
+    let painted = |text: &str| painted(&directory, "quad.obj", text);
+    let whole = quad([0.0, 0.0, 1.0, 1.0], "quad.mtl");
+    assert_eq!(painted(&whole), AS_THEY_LIE);
     // Repeated, and turned around.
+    assert_eq!(painted(&quad([5.0, -2.0, 6.0, -1.0], "quad.mtl")), AS_THEY_LIE);
     assert_eq!(
-        painted("quad.obj", &quad([5.0, -2.0, 6.0, -1.0], "quad.mtl")),
-        all
-    );
-    assert_eq!(
-        painted("quad.obj", &quad([1.0, 1.0, 0.0, 0.0], "quad.mtl")),
+        painted(&quad([1.0, 1.0, 0.0, 0.0], "quad.mtl")),
         ["white", "blue", "green", "red"]
     );
     // A material of one colour.
-    let plain = quad([0.0, 0.0, 1.0, 1.0], "quad.mtl").replace("usemtl four", "usemtl plain");
-    assert_eq!(painted("quad.obj", &plain), ["blue"; 4]);
-    // PLY: coordinates of faces, and of vertices; JPEG.
-    let header = "ply\nformat ascii 1.0\ncomment TextureFile four.jpg\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
-    let of_faces = format!(
-        "{header}element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n\
-         0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 8 0 0 1 0 1 1 0 1\n"
-    );
-    assert_eq!(painted("faces.ply", &of_faces), all);
+    let plain = whole.replace("usemtl four", "usemtl plain");
+    assert_eq!(painted(&plain), ["blue"; 4]);
+}
+
+#[test]
+fn textures_of_ply_lie_as_their_coordinates_say() {
+    let directory = with_textures("pictures-textured-ply");
+    assert_eq!(painted(&directory, "faces.ply", &quad_of_faces()), AS_THEY_LIE);
     let of_vertices = format!(
-        "{header}property float s\nproperty float t\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
+        "{TEXTURED_PLY}property float s\nproperty float t\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
          0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 1 0 0 1\n4 0 1 2 3\n"
     );
-    assert_eq!(painted("vertices.ply", &of_vertices), all);
+    assert_eq!(painted(&directory, "vertices.ply", &of_vertices), AS_THEY_LIE);
+}
 
+#[test]
+fn textures_that_are_not_there_are_told() {
+    let directory = with_textures("pictures-no-texture");
     let wrong = |name: &str, text: &str, message: &str| {
         fs::write(directory.join(name), text).unwrap();
         let args = ["render", name, "-o", "w.png", "--shade", "texture"];
-        refused(
-            &directory,
-            &args,
-            &format!("fairmesh: {message}; --shade flat or colors needs none"),
+        refused(&directory, &args, &format!("fairmesh: {message}"));
+    };
+    let needless = |name: &str, text: &str, message: &str| {
+        wrong(
+            name,
+            text,
+            &format!("{message}; --shade flat or colors needs none"),
         );
     };
-    wrong(
+    needless(
         "a.obj",
         &quad([0.0; 4], "none.mtl"),
         "a.obj: its materials none.mtl cannot be read in .: No such file or directory (os error 2)",
     );
-    wrong(
+    needless(
         "a.obj",
-        &format!("{square}f 1 2 3 4\n"),
+        &format!("{SQUARE}f 1 2 3 4\n"),
         "a.obj: it names no materials (mtllib), and so no texture",
     );
-    wrong(
+    needless(
         "a.ply",
-        &of_faces.replace("four.jpg", "lost.png"),
+        &quad_of_faces().replace("four.jpg", "lost.png"),
         "a.ply: the texture lost.png was not found in .; put it there, or correct its name in a.ply",
     );
-    wrong(
+    needless(
         "a.obj",
-        &format!("mtllib quad.mtl\n{square}usemtl four\nf 1 2 3 4\n"),
+        &format!("mtllib quad.mtl\n{SQUARE}usemtl four\nf 1 2 3 4\n"),
         "a.obj: its faces have no texture coordinates",
     );
-    wrong("a.off", &sphere(1.0, 4), "a.off: OFF has no textures");
+    needless("a.off", &sphere(1.0, 4), "a.off: OFF has no textures");
     fs::write(directory.join("four.jpg"), "GIF89a").unwrap();
-    refused(
-        &directory,
-        &["render", "faces.ply", "-o", "w.png", "--shade", "texture"],
-        "fairmesh: ./four.jpg: only PNG and JPEG are read as textures; convert it",
+    wrong(
+        "faces.ply",
+        &quad_of_faces(),
+        "./four.jpg: only PNG and JPEG are read as textures; convert it",
     );
     assert!(!directory.join("w.png").exists());
 }
