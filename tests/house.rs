@@ -31,19 +31,25 @@ fn read(name: &str) -> String {
 /// What parts a file's code from its unit tests.
 const UNIT_TESTS: &str = "\n\n#[cfg(test)]\nmod tests {";
 
-/// The names of all Rust files of a folder, from the root on.
-fn rust_files(folder: &str) -> Vec<String> {
+/// The names of all files of a folder with this extension, from the root on.
+fn files(folder: &str, extension: &str) -> Vec<String> {
     let mut files = Vec::new();
     let mut open = vec![root().join(folder)];
     while let Some(path) = open.pop() {
         if path.is_dir() {
             open.extend(fs::read_dir(&path).unwrap().map(|entry| entry.unwrap().path()));
-        } else if path.extension().is_some_and(|e| e == "rs") {
+        } else if path.extension().is_some_and(|e| e == extension) {
             let name = path.strip_prefix(root()).unwrap().to_str().unwrap();
             files.push(name.replace('\\', "/"));
         }
     }
     files.sort_unstable();
+    assert!(!files.is_empty(), "{folder} has no .{extension}");
+    files
+}
+
+fn rust_files(folder: &str) -> Vec<String> {
+    let files = files(folder, "rs");
     assert!(files.len() > 20, "{folder}: {files:?}");
     files
 }
@@ -313,6 +319,21 @@ fn functions(text: &str) -> Vec<(String, usize)> {
     functions
 }
 
+/// The functions of a C file, with their lines: each begins and ends at the beginning of a line.
+fn functions_of_c(text: &str) -> Vec<(String, usize)> {
+    let lines: Vec<&str> = text.lines().collect();
+    let heads = lines.iter().enumerate().filter(|(_, line)| {
+        let is_indented = line.starts_with(char::is_whitespace);
+        !is_indented && line.ends_with(") {")
+    });
+    let function = |(begin, head): (usize, &&str)| {
+        let name = head.split('(').next().unwrap().rsplit([' ', '*']).next();
+        let length = 1 + lines[begin..].iter().position(|line| *line == "}").unwrap();
+        (name.unwrap().to_owned(), length)
+    };
+    heads.map(function).collect()
+}
+
 #[test]
 fn functions_of_tests_are_short() {
     let unit_tests = rust_files("src").into_iter().filter_map(|name| {
@@ -325,11 +346,15 @@ fn functions_of_tests_are_short() {
     });
     let tests = rust_files("tests").into_iter();
     let tests = tests.map(|name| (name.clone(), read(&name)));
+    let tests = tests.chain(unit_tests);
+    let tests = tests.map(|(name, text)| (name, functions(&text)));
+    let in_c = files("tests/c", "c").into_iter();
+    let in_c = in_c.map(|name| (name.clone(), functions_of_c(&read(&name))));
     let mut count = 0;
     let mut long = Vec::new();
-    for (name, text) in tests.chain(unit_tests) {
-        for (function, lines) in functions(&text) {
-            count += 1;
+    for (name, functions) in tests.chain(in_c) {
+        count += functions.len();
+        for (function, lines) in functions {
             if lines > LONGEST_TEST {
                 long.push(format!("{name}: {function} has {lines}"));
             }

@@ -1009,10 +1009,59 @@ static void expect_handle(int32_t status, const fairmesh_error *error, int32_t w
     }
 }
 
-/* Every function that takes a handle gets it; the outputs stay as they are. */
-static void check_handle(void *handle, int is_solver, int32_t wanted, const char *what) {
-    const fairmesh_result *r = (const fairmesh_result *)handle;
-    fairmesh_solver *s = (fairmesh_solver *)handle;
+/* Every function that takes a solver gets it; the outputs stay as they are. */
+static void check_solver(fairmesh_solver *s, int32_t wanted, const char *what) {
+    double number = 0.25;
+    fairmesh_points_out points = points_out_of(NULL, 0);
+    fairmesh_scalars_out scalars = scalars_out_of(&number, 1);
+    fairmesh_report report, report_before;
+    fairmesh_component component;
+    fairmesh_attempt attempt;
+    fairmesh_continuity continuity;
+    fairmesh_error e;
+    fairmesh_boundary_normals normals;
+    fairmesh_boundary_curvature curvature;
+    fairmesh_target target;
+    fairmesh_frame frame;
+    fairmesh_bulge_range range;
+    fairmesh_result *result = NULL;
+    frame.struct_size = sizeof frame;
+    range.struct_size = sizeof range;
+    memset(&curvature, 0, sizeof curvature);
+    memset(&normals, 0, sizeof normals);
+    memset(&target, 0, sizeof target);
+    memset(&report, 0x5a, sizeof report);
+    report.struct_size = sizeof report;
+    report_before = report;
+    component.struct_size = sizeof component;
+    attempt.struct_size = sizeof attempt;
+    continuity.struct_size = sizeof continuity;
+    expect_handle(fairmesh_solver_run(s, 1, &report, &e), &e, wanted, what);
+    expect_handle(fairmesh_solver_set_boundary_normals(s, &normals, &e), &e, wanted, what);
+    expect_handle(fairmesh_solver_set_target(s, &target, &e), &e, wanted, what);
+    expect_handle(fairmesh_solver_set_continuity(s, 1.0, NULL, &e), &e, wanted, what);
+    expect_handle(fairmesh_solver_set_boundary_curvature(s, &curvature, &e), &e, wanted, what);
+    expect_handle(fairmesh_solver_edit(s, NULL, 0, &e), &e, wanted, what);
+    expect_handle(fairmesh_solver_update(s, NULL, &frame, &e), &e, wanted, what);
+    expect_handle(fairmesh_solver_finish(s, &report, &e), &e, wanted, what);
+    expect_handle(fairmesh_solver_bulge_range(s, &range, &e), &e, wanted, what);
+    expect_handle(fairmesh_solver_positions(s, &points, &e), &e, wanted, what);
+    expect_handle(fairmesh_solver_mean_curvature(s, &scalars, &e), &e, wanted, what);
+    expect_handle(fairmesh_solver_report(s, &report, &e), &e, wanted, what);
+    expect_handle(fairmesh_solver_component(s, 0, &component, &e), &e, wanted, what);
+    expect_handle(fairmesh_solver_attempt(s, 0, 0, &attempt, &e), &e, wanted, what);
+    expect_handle(fairmesh_solver_continuity(s, 0, 0, &continuity, &e), &e, wanted, what);
+    expect_handle(fairmesh_solver_result(s, &result, &e), &e, wanted, what);
+    if (s != NULL) {
+        cases++;
+        CHECK(fairmesh_solver_free(s) == wanted);
+    }
+    CHECK(number == 0.25 && result == NULL);
+    CHECK(memcmp(&report, &report_before, sizeof report) == 0);
+}
+
+/* The same with a result. */
+static void check_result(fairmesh_result *r, int32_t wanted, const char *what) {
     double number = 0.25;
     uint32_t index = 7;
     size_t size = 99;
@@ -1030,17 +1079,6 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
     fairmesh_join_suggestion suggestion;
     fairmesh_bridge_report bridged;
     fairmesh_error e;
-    fairmesh_boundary_normals normals;
-    fairmesh_boundary_curvature curvature;
-    fairmesh_target target;
-    fairmesh_frame frame;
-    fairmesh_bulge_range range;
-    fairmesh_result *result = NULL;
-    frame.struct_size = sizeof frame;
-    range.struct_size = sizeof range;
-    memset(&curvature, 0, sizeof curvature);
-    memset(&normals, 0, sizeof normals);
-    memset(&target, 0, sizeof target);
     memset(&report, 0x5a, sizeof report);
     report.struct_size = sizeof report;
     report_before = report;
@@ -1053,49 +1091,26 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
     filled.struct_size = sizeof filled;
     suggestion.struct_size = sizeof suggestion;
     bridged.struct_size = sizeof bridged;
-    if (is_solver) {
-        expect_handle(fairmesh_solver_run(s, 1, &report, &e), &e, wanted, what);
-        expect_handle(fairmesh_solver_set_boundary_normals(s, &normals, &e), &e, wanted, what);
-        expect_handle(fairmesh_solver_set_target(s, &target, &e), &e, wanted, what);
-        expect_handle(fairmesh_solver_set_continuity(s, 1.0, NULL, &e), &e, wanted, what);
-        expect_handle(fairmesh_solver_set_boundary_curvature(s, &curvature, &e), &e, wanted, what);
-        expect_handle(fairmesh_solver_edit(s, NULL, 0, &e), &e, wanted, what);
-        expect_handle(fairmesh_solver_update(s, NULL, &frame, &e), &e, wanted, what);
-        expect_handle(fairmesh_solver_finish(s, &report, &e), &e, wanted, what);
-        expect_handle(fairmesh_solver_bulge_range(s, &range, &e), &e, wanted, what);
-        expect_handle(fairmesh_solver_positions(s, &points, &e), &e, wanted, what);
-        expect_handle(fairmesh_solver_mean_curvature(s, &scalars, &e), &e, wanted, what);
-        expect_handle(fairmesh_solver_report(s, &report, &e), &e, wanted, what);
-        expect_handle(fairmesh_solver_component(s, 0, &component, &e), &e, wanted, what);
-        expect_handle(fairmesh_solver_attempt(s, 0, 0, &attempt, &e), &e, wanted, what);
-        expect_handle(fairmesh_solver_continuity(s, 0, 0, &continuity, &e), &e, wanted, what);
-        expect_handle(fairmesh_solver_result(s, &result, &e), &e, wanted, what);
-        if (handle != NULL) {
-            cases++;
-            CHECK(fairmesh_solver_free(s) == wanted);
-        }
-    } else {
-        expect_handle(fairmesh_result_info(r, &info, &e), &e, wanted, what);
-        expect_handle(fairmesh_result_report(r, 0, &report, &e), &e, wanted, what);
-        expect_handle(fairmesh_result_level(r, 0, &level, &e), &e, wanted, what);
-        expect_handle(fairmesh_result_component(r, 0, 0, &component, &e), &e, wanted, what);
-        expect_handle(fairmesh_result_attempt(r, 0, 0, 0, &attempt, &e), &e, wanted, what);
-        expect_handle(fairmesh_result_continuity(r, 0, 0, 0, &continuity, &e), &e, wanted, what);
-        expect_handle(fairmesh_result_loop(r, 0, &boundary, &e), &e, wanted, what);
-        expect_handle(fairmesh_result_fill_report(r, 0, &filled, &e), &e, wanted, what);
-        expect_handle(fairmesh_result_suggestion(r, 0, &suggestion, &e), &e, wanted, what);
-        expect_handle(fairmesh_result_bridge(r, &bridged, &e), &e, wanted, what);
-        expect_handle(fairmesh_result_positions(r, &points, &e), &e, wanted, what);
-        expect_handle(fairmesh_result_triangles(r, &triangles, &e), &e, wanted, what);
-        expect_handle(fairmesh_result_scalars(r, 0, &scalars, &e), &e, wanted, what);
-        expect_handle(fairmesh_result_vectors(r, 0, &points, &e), &e, wanted, what);
-        expect_handle(fairmesh_result_list(r, 0, 0, &index, 1, &size, &e), &e, wanted, what);
-        if (handle != NULL) {
-            cases++;
-            CHECK(fairmesh_result_free((fairmesh_result *)handle) == wanted);
-        }
+    expect_handle(fairmesh_result_info(r, &info, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_report(r, 0, &report, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_level(r, 0, &level, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_component(r, 0, 0, &component, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_attempt(r, 0, 0, 0, &attempt, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_continuity(r, 0, 0, 0, &continuity, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_loop(r, 0, &boundary, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_fill_report(r, 0, &filled, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_suggestion(r, 0, &suggestion, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_bridge(r, &bridged, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_positions(r, &points, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_triangles(r, &triangles, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_scalars(r, 0, &scalars, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_vectors(r, 0, &points, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_list(r, 0, 0, &index, 1, &size, &e), &e, wanted, what);
+    if (r != NULL) {
+        cases++;
+        CHECK(fairmesh_result_free(r) == wanted);
     }
-    CHECK(number == 0.25 && index == 7 && size == 99 && result == NULL);
+    CHECK(number == 0.25 && index == 7 && size == 99);
     CHECK(memcmp(&report, &report_before, sizeof report) == 0);
 }
 
@@ -1110,18 +1125,18 @@ static void handles(void) {
     options.threads = 1;
     OK(fairmesh_solver_new(&cap.mesh, &cap.selection, &options, &solver, &error));
     OK(fairmesh_solver_result(solver, &result, &error));
-    check_handle(NULL, 1, FAIRMESH_STATUS_NULL_POINTER, "NULL solver");
-    check_handle(NULL, 0, FAIRMESH_STATUS_NULL_POINTER, "NULL result");
-    check_handle(thing, 1, FAIRMESH_STATUS_BAD_HANDLE, "any pointer as solver");
-    check_handle(thing, 0, FAIRMESH_STATUS_BAD_HANDLE, "any pointer as result");
-    check_handle((void *)(uintptr_t)1, 1, FAIRMESH_STATUS_BAD_HANDLE, "1 as solver");
-    check_handle((void *)UINTPTR_MAX, 0, FAIRMESH_STATUS_BAD_HANDLE, "-1 as result");
-    check_handle(result, 1, FAIRMESH_STATUS_BAD_HANDLE, "a result as solver");
-    check_handle(solver, 0, FAIRMESH_STATUS_BAD_HANDLE, "a solver as result");
+    check_solver(NULL, FAIRMESH_STATUS_NULL_POINTER, "NULL solver");
+    check_result(NULL, FAIRMESH_STATUS_NULL_POINTER, "NULL result");
+    check_solver((fairmesh_solver *)thing, FAIRMESH_STATUS_BAD_HANDLE, "any pointer as solver");
+    check_result((fairmesh_result *)thing, FAIRMESH_STATUS_BAD_HANDLE, "any pointer as result");
+    check_solver((fairmesh_solver *)(void *)(uintptr_t)1, FAIRMESH_STATUS_BAD_HANDLE, "1 as solver");
+    check_result((fairmesh_result *)(void *)UINTPTR_MAX, FAIRMESH_STATUS_BAD_HANDLE, "-1 as result");
+    check_solver((fairmesh_solver *)result, FAIRMESH_STATUS_BAD_HANDLE, "a result as solver");
+    check_result((fairmesh_result *)solver, FAIRMESH_STATUS_BAD_HANDLE, "a solver as result");
     OK(fairmesh_solver_free(solver));
     OK(fairmesh_result_free(result));
-    check_handle(solver, 1, FAIRMESH_STATUS_BAD_HANDLE, "a freed solver");
-    check_handle(result, 0, FAIRMESH_STATUS_BAD_HANDLE, "a freed result");
+    check_solver(solver, FAIRMESH_STATUS_BAD_HANDLE, "a freed solver");
+    check_result(result, FAIRMESH_STATUS_BAD_HANDLE, "a freed result");
     cap_free(&cap);
 }
 

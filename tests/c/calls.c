@@ -56,265 +56,341 @@ static fairmesh_options quick(void) {
     return options;
 }
 
-static void one_shot(void) {
-    Cap cap = cap_new(15);
-    fairmesh_options options = quick();
-    fairmesh_report report;
-    fairmesh_error error;
-    fairmesh_result *result = NULL;
-    fairmesh_info info;
-    size_t bytes = 3 * cap.vertices * sizeof(double), v, size = 0;
-    double *out = (double *)must(malloc(bytes)), *in_place, *h, *k, *normals;
+/* A cap whose dent was made fair in one call, and what was used at its boundary. */
+typedef struct {
+    Cap cap;
+    double *out, *normals;
     uint32_t *boundary;
-    fairmesh_points_out to = points_out_of(out, cap.vertices);
-    fairmesh_scalars_out numbers;
+    size_t bytes, boundary_count;
+    fairmesh_report report;
+    fairmesh_result *result;
+} Faired;
+
+static Faired one_call(void) {
+    Faired made;
+    fairmesh_options options = quick();
+    fairmesh_error error;
+    fairmesh_points_out to;
+    size_t v;
     Watch w;
+    memset(&made, 0, sizeof made);
+    made.cap = cap_new(15);
+    made.bytes = 3 * made.cap.vertices * sizeof(double);
+    made.out = (double *)must(malloc(made.bytes));
+    to = points_out_of(made.out, made.cap.vertices);
     memset(&w, 0, sizeof w);
-    report.struct_size = sizeof report;
+    made.report.struct_size = sizeof made.report;
     options.progress = watch;
     options.user_data = &w;
-    OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &to, &report, &result, &error));
+    OK(fairmesh_fair(&made.cap.mesh, &made.cap.selection, &options, &to, &made.report, &made.result, &error));
     CHECK(error.status == 0 && error.element == FAIRMESH_NO_ELEMENT && error.message[0] == 0);
-    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED && report.reached == 1.0 && report.loose_reason == FAIRMESH_LOOSE_REASON_NONE);
-    CHECK(report.iterations > 2 && w.last == report.iterations && w.calls >= w.last);
-    CHECK(off_sphere(out, cap.vertices) < 2e-3);
-    for (v = 0; v < cap.vertices; v++) {
-        if (!cap.free_mask[v]) CHECK(memcmp(out + 3 * v, cap.positions + 3 * v, 24) == 0);
+    CHECK(made.report.outcome == FAIRMESH_OUTCOME_CONVERGED && made.report.reached == 1.0);
+    CHECK(made.report.loose_reason == FAIRMESH_LOOSE_REASON_NONE);
+    CHECK(made.report.iterations > 2 && w.last == made.report.iterations && w.calls >= w.last);
+    CHECK(off_sphere(made.out, made.cap.vertices) < 2e-3);
+    for (v = 0; v < made.cap.vertices; v++) {
+        if (!made.cap.free_mask[v]) CHECK(memcmp(made.out + 3 * v, made.cap.positions + 3 * v, 24) == 0);
     }
+    return made;
+}
 
-    /* The rest of what was found. */
+static void curvatures_of_result(const Faired *made) {
+    const Cap *cap = &made->cap;
+    double *h = (double *)must(malloc(cap->vertices * sizeof(double)));
+    double *k = (double *)must(malloc(cap->vertices * sizeof(double)));
+    fairmesh_scalars_out numbers = scalars_out_of(h, cap->vertices);
+    fairmesh_info info;
+    fairmesh_error error;
+    size_t v;
     info.struct_size = sizeof info;
-    OK(fairmesh_result_info(result, &info, &error));
-    CHECK(info.kind == FAIRMESH_RESULT_KIND_FAIRED && info.vertex_count == cap.vertices);
-    h = (double *)must(malloc(cap.vertices * sizeof(double)));
-    k = (double *)must(malloc(cap.vertices * sizeof(double)));
-    numbers = scalars_out_of(h, cap.vertices);
-    OK(fairmesh_result_scalars(result, FAIRMESH_SCALARS_MEAN_CURVATURE, &numbers, &error));
+    OK(fairmesh_result_info(made->result, &info, &error));
+    CHECK(info.kind == FAIRMESH_RESULT_KIND_FAIRED && info.vertex_count == cap->vertices);
+    OK(fairmesh_result_scalars(made->result, FAIRMESH_SCALARS_MEAN_CURVATURE, &numbers, &error));
     numbers.data = k;
-    OK(fairmesh_result_scalars(result, FAIRMESH_SCALARS_GAUSSIAN_CURVATURE, &numbers, &error));
-    for (v = 0; v < cap.vertices; v++) {
-        if (cap.free_mask[v]) {
+    OK(fairmesh_result_scalars(made->result, FAIRMESH_SCALARS_GAUSSIAN_CURVATURE, &numbers, &error));
+    for (v = 0; v < cap->vertices; v++) {
+        if (cap->free_mask[v]) {
             CHECK(fabs(h[v] + 1.0) < 0.02 && fabs(k[v] - 1.0) < 0.05);
         } else {
             CHECK(h[v] != h[v] && k[v] != k[v]);
         }
     }
+    free(h);
+    free(k);
+}
+
+static void boundary_of_result(Faired *made) {
+    const Cap *cap = &made->cap;
+    fairmesh_points_out vectors;
+    fairmesh_info info;
+    fairmesh_error error;
+    size_t v, size = 0;
+    info.struct_size = sizeof info;
+    OK(fairmesh_result_info(made->result, &info, &error));
     CHECK(info.boundary_vertex_count > 0);
-    boundary = (uint32_t *)must(malloc((size_t)info.boundary_vertex_count * 4));
-    normals = (double *)must(malloc((size_t)info.boundary_vertex_count * 24));
-    OK(fairmesh_result_list(result, FAIRMESH_LIST_BOUNDARY_VERTICES, 0, NULL, 0, &size, &error));
+    made->boundary_count = (size_t)info.boundary_vertex_count;
+    made->boundary = (uint32_t *)must(malloc(made->boundary_count * 4));
+    made->normals = (double *)must(malloc(made->boundary_count * 24));
+    OK(fairmesh_result_list(made->result, FAIRMESH_LIST_BOUNDARY_VERTICES, 0, NULL, 0, &size, &error));
     CHECK(size == info.boundary_vertex_count);
-    OK(fairmesh_result_list(result, FAIRMESH_LIST_BOUNDARY_VERTICES, 0, boundary, size, &size, &error));
-    {
-        fairmesh_points_out vectors = points_out_of(normals, size);
-        OK(fairmesh_result_vectors(result, FAIRMESH_VECTORS_BOUNDARY_NORMALS, &vectors, &error));
-    }
+    OK(fairmesh_result_list(made->result, FAIRMESH_LIST_BOUNDARY_VERTICES, 0, made->boundary, size, &size, &error));
+    vectors = points_out_of(made->normals, size);
+    OK(fairmesh_result_vectors(made->result, FAIRMESH_VECTORS_BOUNDARY_NORMALS, &vectors, &error));
     for (v = 0; v < size; v++) {
-        const double *p = cap.positions + 3 * boundary[v], *n = normals + 3 * v;
-        CHECK(!cap.free_mask[boundary[v]]);
+        const double *p = cap->positions + 3 * made->boundary[v], *n = made->normals + 3 * v;
+        CHECK(!cap->free_mask[made->boundary[v]]);
         CHECK(p[0] * n[0] + p[1] * n[1] + p[2] * n[2] > 0.999);
     }
-    {
-        fairmesh_report again;
-        again.struct_size = sizeof again;
-        OK(fairmesh_result_report(result, 0, &again, &error));
-        CHECK(memcmp(&again, &report, sizeof report) == 0);
-        OK(fairmesh_result_list(result, FAIRMESH_LIST_NEEDLES, 0, NULL, 0, &size, NULL));
-        CHECK(size == report.needle_count);
-    }
-    {
-        double *copy = (double *)must(malloc(bytes));
-        fairmesh_points_out into = points_out_of(copy, cap.vertices);
-        OK(fairmesh_result_positions(result, &into, &error));
-        CHECK(memcmp(copy, out, bytes) == 0);
-        free(copy);
-    }
-    OK(fairmesh_result_free(result));
-    CHECK(fairmesh_result_free(result) == FAIRMESH_STATUS_BAD_HANDLE);
+}
+
+/* The report and the positions are those of the call; then the result is freed. */
+static void rest_of_result(const Faired *made) {
+    fairmesh_report again;
+    fairmesh_error error;
+    size_t size = 0;
+    double *copy = (double *)must(malloc(made->bytes));
+    fairmesh_points_out into = points_out_of(copy, made->cap.vertices);
+    again.struct_size = sizeof again;
+    OK(fairmesh_result_report(made->result, 0, &again, &error));
+    CHECK(memcmp(&again, &made->report, sizeof again) == 0);
+    OK(fairmesh_result_list(made->result, FAIRMESH_LIST_NEEDLES, 0, NULL, 0, &size, NULL));
+    CHECK(size == again.needle_count);
+    OK(fairmesh_result_positions(made->result, &into, &error));
+    CHECK(memcmp(copy, made->out, made->bytes) == 0);
+    free(copy);
+    OK(fairmesh_result_free(made->result));
+    CHECK(fairmesh_result_free(made->result) == FAIRMESH_STATUS_BAD_HANDLE);
     OK(fairmesh_result_free(NULL));
+}
 
-    /* The boundary normals as used, given back: the same bits. */
-    {
-        double *again = (double *)must(malloc(bytes));
-        fairmesh_points_out into = points_out_of(again, cap.vertices);
-        options = quick();
-        options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
-        options.boundary_normals.vectors = points_of(normals, (size_t)info.boundary_vertex_count);
-        options.boundary_normals.vertices.data = boundary;
-        options.boundary_normals.vertices.count = (size_t)info.boundary_vertex_count;
-        OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &into, NULL, NULL, NULL));
-        for (v = 0; v < 3 * cap.vertices; v++) CHECK(fabs(again[v] - out[v]) < 1e-7);
-        free(again);
-    }
+/* The boundary normals as used, given back: the same surface. */
+static void normals_given_back(const Faired *made) {
+    const Cap *cap = &made->cap;
+    double *again = (double *)must(malloc(made->bytes));
+    fairmesh_points_out into = points_out_of(again, cap->vertices);
+    fairmesh_options options = quick();
+    size_t v;
+    options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
+    options.boundary_normals.vectors = points_of(made->normals, made->boundary_count);
+    options.boundary_normals.vertices.data = made->boundary;
+    options.boundary_normals.vertices.count = made->boundary_count;
+    OK(fairmesh_fair(&cap->mesh, &cap->selection, &options, &into, NULL, NULL, NULL));
+    for (v = 0; v < 3 * cap->vertices; v++) CHECK(fabs(again[v] - made->out[v]) < 1e-7);
+    free(again);
+}
 
-    /* In place; other selections; floats with a stride. */
-    in_place = (double *)must(malloc(bytes));
-    memcpy(in_place, cap.positions, bytes);
-    {
-        fairmesh_mesh mesh = cap.mesh;
-        fairmesh_points_out same = points_out_of(in_place, cap.vertices);
-        fairmesh_selection list = cap.selection;
-        uint32_t *vertices = (uint32_t *)must(malloc(cap.vertices * 4));
-        mesh.positions.data = in_place;
-        list.kind = FAIRMESH_SELECTION_KIND_FREE_VERTICES;
-        list.data = vertices;
-        list.count = 0;
-        for (v = 0; v < cap.vertices; v++) {
-            if (cap.free_mask[v]) vertices[list.count++] = (uint32_t)v;
-        }
-        OK(fairmesh_fair(&mesh, &list, NULL, &same, NULL, NULL, &error));
-        CHECK(memcmp(in_place, out, bytes) == 0);
-        free(vertices);
+/* In place, with a list of what is free. */
+static void in_place_by_list(const Faired *made) {
+    const Cap *cap = &made->cap;
+    fairmesh_mesh mesh = cap->mesh;
+    fairmesh_selection list = cap->selection;
+    fairmesh_error error;
+    double *in_place = (double *)must(malloc(made->bytes));
+    fairmesh_points_out same = points_out_of(in_place, cap->vertices);
+    uint32_t *vertices = (uint32_t *)must(malloc(cap->vertices * 4));
+    size_t v;
+    memcpy(in_place, cap->positions, made->bytes);
+    mesh.positions.data = in_place;
+    list.kind = FAIRMESH_SELECTION_KIND_FREE_VERTICES;
+    list.data = vertices;
+    list.count = 0;
+    for (v = 0; v < cap->vertices; v++) {
+        if (cap->free_mask[v]) vertices[list.count++] = (uint32_t)v;
     }
-    /* A soup: every corner is a vertex of its own. */
-    {
-        fairmesh_mesh mesh = cap.mesh;
-        fairmesh_selection corners = cap.selection;
-        size_t count = 3 * cap.triangles;
-        double *at = (double *)must(malloc(3 * count * sizeof *at));
-        uint32_t *rows = (uint32_t *)must(malloc(count * sizeof *rows));
-        uint8_t *mask = (uint8_t *)must(malloc(count));
-        fairmesh_points_out same = points_out_of(at, count);
-        for (v = 0; v < count; v++) {
-            memcpy(at + 3 * v, cap.positions + 3 * cap.corners[v], 3 * sizeof *at);
-            rows[v] = (uint32_t)v;
-            mask[v] = cap.free_mask[cap.corners[v]];
-        }
-        mesh.positions = points_of(at, count);
-        mesh.triangles.data = rows;
-        corners.data = mask;
-        corners.count = count;
-        mesh.coincident = FAIRMESH_COINCIDENT_SEPARATE;
-        CHECK(fairmesh_fair(&mesh, &corners, NULL, &same, NULL, NULL, &error) == FAIRMESH_STATUS_FREE_VERTEX_ON_BOUNDARY);
-        mesh.coincident = FAIRMESH_COINCIDENT_JOIN;
-        OK(fairmesh_fair(&mesh, &corners, NULL, &same, NULL, NULL, &error));
-        for (v = 0; v < count; v++) {
-            const double *joined = out + 3 * cap.corners[v];
-            CHECK(fabs(at[3 * v] - joined[0]) + fabs(at[3 * v + 1] - joined[1]) + fabs(at[3 * v + 2] - joined[2]) < 1e-6);
-        }
-        free(at);
-        free(rows);
-        free(mask);
-    }
-    {
-        struct vertex {
-            uint16_t colour[2];
-            float at[3];
-            float weight;
-        } *vs = (struct vertex *)must(malloc(cap.vertices * sizeof *vs));
-        uint32_t *rows = (uint32_t *)must(malloc(cap.triangles * 20));
-        uint8_t *fixed = (uint8_t *)must(malloc(cap.vertices * 3));
-        fairmesh_mesh mesh;
-        fairmesh_selection others;
-        fairmesh_points_out floats;
-        memset(&mesh, 0, sizeof mesh);
-        mesh.struct_size = sizeof mesh;
-        mesh.positions.data = vs[0].at;
-        mesh.positions.count = cap.vertices;
-        mesh.positions.stride = sizeof *vs;
-        mesh.positions.scalar = FAIRMESH_SCALAR_FLOAT32;
-        mesh.triangles.data = rows + 1;
-        mesh.triangles.count = cap.triangles;
-        mesh.triangles.stride = 20;
-        for (v = 0; v < cap.vertices; v++) {
-            int c;
-            for (c = 0; c < 3; c++) vs[v].at[c] = (float)cap.positions[3 * v + (size_t)c];
-            vs[v].colour[0] = vs[v].colour[1] = (uint16_t)v;
-            vs[v].weight = 0.5f;
-            fixed[3 * v] = !cap.free_mask[v];
-        }
-        for (v = 0; v < cap.triangles; v++) memcpy(rows + 5 * v + 1, cap.corners + 3 * v, 12);
-        others = cap.selection;
-        others.kind = FAIRMESH_SELECTION_KIND_FIXED_MASK;
-        others.data = fixed;
-        others.stride = 3;
-        memset(&floats, 0, sizeof floats);
-        floats.data = vs[0].at;
-        floats.count = cap.vertices;
-        floats.stride = sizeof *vs;
-        floats.scalar = FAIRMESH_SCALAR_FLOAT32;
-        OK(fairmesh_fair(&mesh, &others, NULL, &floats, NULL, NULL, &error));
-        for (v = 0; v < cap.vertices; v++) {
-            int c;
-            CHECK(vs[v].weight == 0.5f && vs[v].colour[0] == (uint16_t)v);
-            for (c = 0; c < 3; c++) CHECK(fabs(vs[v].at[c] - out[3 * v + (size_t)c]) < 2e-6);
-        }
-        free(vs);
-        free(rows);
-        free(fixed);
-    }
+    OK(fairmesh_fair(&mesh, &list, NULL, &same, NULL, NULL, &error));
+    CHECK(memcmp(in_place, made->out, made->bytes) == 0);
+    free(vertices);
+    free(in_place);
+}
 
-    /* Everything but the outer boundary is free, cancelled after one iteration. */
+/* A soup: every corner is a vertex of its own. */
+static void soup(const Faired *made) {
+    const Cap *cap = &made->cap;
+    fairmesh_mesh mesh = cap->mesh;
+    fairmesh_selection corners = cap->selection;
+    fairmesh_error error;
+    size_t count = 3 * cap->triangles, v;
+    double *at = (double *)must(malloc(3 * count * sizeof *at));
+    uint32_t *rows = (uint32_t *)must(malloc(count * sizeof *rows));
+    uint8_t *mask = (uint8_t *)must(malloc(count));
+    fairmesh_points_out same = points_out_of(at, count);
+    for (v = 0; v < count; v++) {
+        memcpy(at + 3 * v, cap->positions + 3 * cap->corners[v], 3 * sizeof *at);
+        rows[v] = (uint32_t)v;
+        mask[v] = cap->free_mask[cap->corners[v]];
+    }
+    mesh.positions = points_of(at, count);
+    mesh.triangles.data = rows;
+    corners.data = mask;
+    corners.count = count;
+    mesh.coincident = FAIRMESH_COINCIDENT_SEPARATE;
+    CHECK(fairmesh_fair(&mesh, &corners, NULL, &same, NULL, NULL, &error) == FAIRMESH_STATUS_FREE_VERTEX_ON_BOUNDARY);
+    mesh.coincident = FAIRMESH_COINCIDENT_JOIN;
+    OK(fairmesh_fair(&mesh, &corners, NULL, &same, NULL, NULL, &error));
+    for (v = 0; v < count; v++) {
+        const double *joined = made->out + 3 * cap->corners[v];
+        CHECK(fabs(at[3 * v] - joined[0]) + fabs(at[3 * v + 1] - joined[1]) + fabs(at[3 * v + 2] - joined[2]) < 1e-6);
+    }
+    free(at);
+    free(rows);
+    free(mask);
+}
+
+/* A vertex as programs hold it: a position as floats among other things. */
+typedef struct {
+    uint16_t colour[2];
+    float at[3];
+    float weight;
+} Vertex;
+
+/* Floats with a stride, rows of triangles with one, and a mask of what is fixed. */
+static void strided_floats(const Faired *made) {
+    const Cap *cap = &made->cap;
+    Vertex *vs = (Vertex *)must(malloc(cap->vertices * sizeof *vs));
+    uint32_t *rows = (uint32_t *)must(malloc(cap->triangles * 20));
+    uint8_t *fixed = (uint8_t *)must(malloc(cap->vertices * 3));
+    fairmesh_mesh mesh;
+    fairmesh_selection others = cap->selection;
+    fairmesh_points_out floats;
+    fairmesh_error error;
+    size_t v, c;
+    memset(&mesh, 0, sizeof mesh);
+    mesh.struct_size = sizeof mesh;
+    mesh.positions.data = vs[0].at;
+    mesh.positions.count = cap->vertices;
+    mesh.positions.stride = sizeof *vs;
+    mesh.positions.scalar = FAIRMESH_SCALAR_FLOAT32;
+    mesh.triangles.data = rows + 1;
+    mesh.triangles.count = cap->triangles;
+    mesh.triangles.stride = 20;
+    for (v = 0; v < cap->vertices; v++) {
+        for (c = 0; c < 3; c++) vs[v].at[c] = (float)cap->positions[3 * v + c];
+        vs[v].colour[0] = vs[v].colour[1] = (uint16_t)v;
+        vs[v].weight = 0.5f;
+        fixed[3 * v] = !cap->free_mask[v];
+    }
+    for (v = 0; v < cap->triangles; v++) memcpy(rows + 5 * v + 1, cap->corners + 3 * v, 12);
+    others.kind = FAIRMESH_SELECTION_KIND_FIXED_MASK;
+    others.data = fixed;
+    others.stride = 3;
+    memset(&floats, 0, sizeof floats);
+    floats.data = vs[0].at;
+    floats.count = cap->vertices;
+    floats.stride = sizeof *vs;
+    floats.scalar = FAIRMESH_SCALAR_FLOAT32;
+    OK(fairmesh_fair(&mesh, &others, NULL, &floats, NULL, NULL, &error));
+    for (v = 0; v < cap->vertices; v++) {
+        CHECK(vs[v].weight == 0.5f && vs[v].colour[0] == (uint16_t)v);
+        for (c = 0; c < 3; c++) CHECK(fabs(vs[v].at[c] - made->out[3 * v + c]) < 2e-6);
+    }
+    free(vs);
+    free(rows);
+    free(fixed);
+}
+
+/* Everything but the outer boundary is free, cancelled after one iteration. */
+static void cancelled(const Cap *cap) {
+    fairmesh_options options = quick();
+    fairmesh_report report;
+    fairmesh_error error;
+    Watch w;
     memset(&w, 0, sizeof w);
     w.stop_at = 1;
-    options = quick();
     options.progress = watch;
     options.user_data = &w;
     report.struct_size = sizeof report;
-    OK(fairmesh_fair(&cap.mesh, NULL, &options, NULL, &report, NULL, &error));
+    OK(fairmesh_fair(&cap->mesh, NULL, &options, NULL, &report, NULL, &error));
     CHECK(report.outcome == FAIRMESH_OUTCOME_CANCELLED && report.iterations == 1);
     CHECK(report.free_vertices == 13 * 13);
+}
 
-    /* The paper's scheme, with its levels. */
-    options = quick();
+/* The paper's scheme, with its levels. */
+static void papers_scheme(const Cap *cap, double *out) {
+    fairmesh_options options = quick();
+    fairmesh_points_out to = points_out_of(out, cap->vertices);
+    fairmesh_report report;
+    fairmesh_level level;
+    fairmesh_result *result = NULL;
+    fairmesh_error error;
+    report.struct_size = sizeof report;
+    level.struct_size = sizeof level;
     options.solver = FAIRMESH_SOLVER_KIND_PAPER;
     options.paper_defect = 1e-4;
-    OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &to, &report, &result, &error));
+    OK(fairmesh_fair(&cap->mesh, &cap->selection, &options, &to, &report, &result, &error));
     CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED && report.level_count >= 1);
-    {
-        fairmesh_level level;
-        level.struct_size = sizeof level;
-        OK(fairmesh_result_level(result, report.level_count - 1, &level, &error));
-        CHECK(level.vertices > report.free_vertices && level.defect <= 1e-4);
-        CHECK(fairmesh_result_level(result, report.level_count, &level, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
-    }
+    OK(fairmesh_result_level(result, report.level_count - 1, &level, &error));
+    CHECK(level.vertices > report.free_vertices && level.defect <= 1e-4);
+    CHECK(fairmesh_result_level(result, report.level_count, &level, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     OK(fairmesh_result_free(result));
+}
 
-    /* Two free vertices that nothing connects. */
-    {
-        const uint32_t two[2] = {2 * 15 + 2, 12 * 15 + 12};
-        fairmesh_selection apart;
-        fairmesh_component part;
-        fairmesh_attempt attempt;
-        memset(&apart, 0, sizeof apart);
-        apart.struct_size = sizeof apart;
-        apart.kind = FAIRMESH_SELECTION_KIND_FREE_VERTICES;
-        apart.data = two;
-        apart.count = 2;
-        options = quick();
-        OK(fairmesh_fair(&cap.mesh, &apart, &options, NULL, &report, &result, &error));
-        CHECK(report.free_vertices == 2 && report.component_count == 2);
-        part.struct_size = sizeof part;
-        for (v = 0; v < 2; v++) {
-            OK(fairmesh_result_component(result, 0, v, &part, &error));
-            CHECK(part.vertex == two[v] && part.free_vertices == 1 && part.outcome == FAIRMESH_OUTCOME_CONVERGED);
-            CHECK(part.iterations <= report.iterations && part.diagonal <= report.diagonal);
-            CHECK(part.bending_energy > 0 && part.bending_energy < report.bending_energy && part.member_weight == 0);
-            CHECK(part.attempt_count == 1 && part.continuity_count == 0);
-            attempt.struct_size = sizeof attempt;
-            OK(fairmesh_result_attempt(result, 0, v, 0, &attempt, &error));
-            CHECK(strcmp(attempt.name, "direct") == 0 && attempt.end == FAIRMESH_ATTEMPT_END_SOUND);
-            CHECK(attempt.free_vertices == 1 && attempt.iterations == part.iterations);
-            CHECK(fabs(attempt.bending_energy - part.bending_energy) <= 1e-6 * part.bending_energy);
-            CHECK(fairmesh_result_attempt(result, 0, v, 1, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
-        }
-        CHECK(fairmesh_result_attempt(result, 0, 2, 0, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
-        CHECK(fairmesh_result_attempt(result, 1, 0, 0, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
-        CHECK(fairmesh_result_component(result, 0, 2, &part, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
-        CHECK(fairmesh_result_component(result, 1, 0, &part, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
-        OK(fairmesh_result_free(result));
+/* Two free vertices that nothing connects. */
+static void two_apart(const Cap *cap) {
+    const uint32_t two[2] = {2 * 15 + 2, 12 * 15 + 12};
+    fairmesh_options options = quick();
+    fairmesh_selection apart;
+    fairmesh_component part;
+    fairmesh_attempt attempt;
+    fairmesh_report report;
+    fairmesh_result *result = NULL;
+    fairmesh_error error;
+    size_t v;
+    memset(&apart, 0, sizeof apart);
+    apart.struct_size = sizeof apart;
+    apart.kind = FAIRMESH_SELECTION_KIND_FREE_VERTICES;
+    apart.data = two;
+    apart.count = 2;
+    report.struct_size = sizeof report;
+    OK(fairmesh_fair(&cap->mesh, &apart, &options, NULL, &report, &result, &error));
+    CHECK(report.free_vertices == 2 && report.component_count == 2);
+    part.struct_size = sizeof part;
+    for (v = 0; v < 2; v++) {
+        OK(fairmesh_result_component(result, 0, v, &part, &error));
+        CHECK(part.vertex == two[v] && part.free_vertices == 1 && part.outcome == FAIRMESH_OUTCOME_CONVERGED);
+        CHECK(part.iterations <= report.iterations && part.diagonal <= report.diagonal);
+        CHECK(part.bending_energy > 0 && part.bending_energy < report.bending_energy && part.member_weight == 0);
+        CHECK(part.attempt_count == 1 && part.continuity_count == 0);
+        attempt.struct_size = sizeof attempt;
+        OK(fairmesh_result_attempt(result, 0, v, 0, &attempt, &error));
+        CHECK(strcmp(attempt.name, "direct") == 0 && attempt.end == FAIRMESH_ATTEMPT_END_SOUND);
+        CHECK(attempt.free_vertices == 1 && attempt.iterations == part.iterations);
+        CHECK(fabs(attempt.bending_energy - part.bending_energy) <= 1e-6 * part.bending_energy);
+        CHECK(fairmesh_result_attempt(result, 0, v, 1, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     }
+    CHECK(fairmesh_result_attempt(result, 0, 2, 0, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(fairmesh_result_attempt(result, 1, 0, 0, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(fairmesh_result_component(result, 0, 2, &part, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(fairmesh_result_component(result, 1, 0, &part, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    OK(fairmesh_result_free(result));
+}
 
-    numbers = scalars_out_of(h, cap.vertices);
-    OK(fairmesh_mean_curvature(&cap.mesh, &numbers, &error));
-    for (v = 0; v < cap.vertices; v++) CHECK(h[v] == h[v]);
-    free(out);
-    free(in_place);
+static void curvature_of_mesh(const Cap *cap) {
+    double *h = (double *)must(malloc(cap->vertices * sizeof(double)));
+    fairmesh_scalars_out numbers = scalars_out_of(h, cap->vertices);
+    fairmesh_error error;
+    size_t v;
+    OK(fairmesh_mean_curvature(&cap->mesh, &numbers, &error));
+    for (v = 0; v < cap->vertices; v++) CHECK(h[v] == h[v]);
     free(h);
-    free(k);
-    free(boundary);
-    free(normals);
-    cap_free(&cap);
+}
+
+static void one_shot(void) {
+    Faired made = one_call();
+    curvatures_of_result(&made);
+    boundary_of_result(&made);
+    rest_of_result(&made);
+    normals_given_back(&made);
+    in_place_by_list(&made);
+    soup(&made);
+    strided_floats(&made);
+    cancelled(&made.cap);
+    papers_scheme(&made.cap, made.out);
+    two_apart(&made.cap);
+    curvature_of_mesh(&made.cap);
+    free(made.out);
+    free(made.normals);
+    free(made.boundary);
+    cap_free(&made.cap);
 }
 
 /* A triangle that stands in one that lies: alone, they touch nothing. */
@@ -355,125 +431,130 @@ static void intersections(void) {
     CHECK(fairmesh_self_intersections(&mesh, NULL, NULL, &error) == FAIRMESH_STATUS_NULL_POINTER);
 }
 
-static void in_steps(void) {
-    Cap cap = cap_new(15);
-    fairmesh_options options = quick();
-    fairmesh_solver *solver = NULL;
-    fairmesh_result *result = NULL;
+/* A solver for a cap, what it reported last, and where its positions go. */
+typedef struct {
+    Cap cap;
+    fairmesh_solver *solver;
     fairmesh_report report;
+    double *steps;
+    fairmesh_points_out to;
+} Stepped;
+
+/* Single iterations end where one call does. */
+static void one_iteration_at_a_time(Stepped *at) {
+    const Cap *cap = &at->cap;
+    fairmesh_options options = quick();
     fairmesh_error error;
+    size_t bytes = 3 * cap->vertices * sizeof(double), v;
+    double *whole = (double *)must(malloc(bytes)), *h = (double *)must(malloc(cap->vertices * sizeof(double)));
+    fairmesh_points_out to = points_out_of(whole, cap->vertices);
+    fairmesh_scalars_out numbers = scalars_out_of(h, cap->vertices);
+    uint64_t runs = 0;
+    OK(fairmesh_fair(&cap->mesh, &cap->selection, &options, &to, NULL, NULL, &error));
+    OK(fairmesh_solver_new(&cap->mesh, &cap->selection, &options, &at->solver, &error));
+    OK(fairmesh_solver_positions(at->solver, &at->to, &error));
+    CHECK(memcmp(at->steps, cap->positions, bytes) == 0);
+    do {
+        OK(fairmesh_solver_run(at->solver, 1, &at->report, &error));
+        runs++;
+    } while (at->report.outcome == FAIRMESH_OUTCOME_ITERATION_LIMIT);
+    CHECK(at->report.outcome == FAIRMESH_OUTCOME_CONVERGED && runs >= at->report.iterations);
+    OK(fairmesh_solver_positions(at->solver, &at->to, &error));
+    CHECK(memcmp(at->steps, whole, bytes) == 0);
+    OK(fairmesh_solver_mean_curvature(at->solver, &numbers, &error));
+    for (v = 0; v < cap->vertices; v++) {
+        if (cap->free_mask[v]) CHECK(fabs(h[v] + 1.0) < 0.02);
+    }
+    free(whole);
+    free(h);
+}
+
+/* Another curvature inside, and then the normals of the sphere, one vector per vertex. */
+static void another_target_and_normals(Stepped *at) {
+    const Cap *cap = &at->cap;
     fairmesh_target target;
     fairmesh_boundary_normals normals;
-    size_t bytes = 3 * cap.vertices * sizeof(double), v;
-    double *whole = (double *)must(malloc(bytes)), *steps = (double *)must(malloc(bytes));
-    double *h = (double *)must(malloc(cap.vertices * sizeof(double)));
-    fairmesh_points_out to = points_out_of(whole, cap.vertices);
-    fairmesh_scalars_out numbers = scalars_out_of(h, cap.vertices);
-    uint64_t runs = 0;
-    report.struct_size = sizeof report;
-    OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &to, NULL, NULL, &error));
-    OK(fairmesh_solver_new(&cap.mesh, &cap.selection, &options, &solver, &error));
-    to.data = steps;
-    OK(fairmesh_solver_positions(solver, &to, &error));
-    CHECK(memcmp(steps, cap.positions, bytes) == 0);
-    do {
-        OK(fairmesh_solver_run(solver, 1, &report, &error));
-        runs++;
-    } while (report.outcome == FAIRMESH_OUTCOME_ITERATION_LIMIT);
-    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED && runs >= report.iterations);
-    OK(fairmesh_solver_positions(solver, &to, &error));
-    CHECK(memcmp(steps, whole, bytes) == 0);
-    OK(fairmesh_solver_mean_curvature(solver, &numbers, &error));
-    for (v = 0; v < cap.vertices; v++) {
-        if (cap.free_mask[v]) CHECK(fabs(h[v] + 1.0) < 0.02);
-    }
+    fairmesh_error error;
+    size_t bytes = 3 * cap->vertices * sizeof(double), v;
+    double *unit = (double *)must(malloc(bytes));
     memset(&target, 0, sizeof target);
     target.kind = FAIRMESH_TARGET_KIND_CONSTANT;
     target.constant = 2.0;
-    OK(fairmesh_solver_set_target(solver, &target, &error));
-    OK(fairmesh_solver_run(solver, 1000, &report, &error));
-    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
-    OK(fairmesh_solver_positions(solver, &to, &error));
-    CHECK(off_sphere(steps, cap.vertices) > 1e-4);
+    OK(fairmesh_solver_set_target(at->solver, &target, &error));
+    OK(fairmesh_solver_run(at->solver, 1000, &at->report, &error));
+    CHECK(at->report.outcome == FAIRMESH_OUTCOME_CONVERGED);
+    OK(fairmesh_solver_positions(at->solver, &at->to, &error));
+    CHECK(off_sphere(at->steps, cap->vertices) > 1e-4);
     target.kind = FAIRMESH_TARGET_KIND_HARMONIC;
-    OK(fairmesh_solver_set_target(solver, &target, &error));
+    OK(fairmesh_solver_set_target(at->solver, &target, &error));
     memset(&normals, 0, sizeof normals);
     normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
-    /* One vector per vertex: those of the sphere. */
-    normals.vectors = points_of(cap.positions, cap.vertices);
-    {
-        double *unit = (double *)must(malloc(bytes));
-        memcpy(unit, cap.positions, bytes);
-        for (v = 0; v < cap.vertices; v++) {
-            if (cap.free_mask[v]) memset(unit + 3 * v, 0, 24);
-        }
-        normals.vectors.data = unit;
-        OK(fairmesh_solver_set_boundary_normals(solver, &normals, &error));
-        free(unit);
+    memcpy(unit, cap->positions, bytes);
+    for (v = 0; v < cap->vertices; v++) {
+        if (cap->free_mask[v]) memset(unit + 3 * v, 0, 24);
     }
-    OK(fairmesh_solver_run(solver, 1000, &report, &error));
-    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
-    OK(fairmesh_solver_positions(solver, &to, &error));
-    CHECK(off_sphere(steps, cap.vertices) < 2e-3);
-    {
-        fairmesh_report again;
-        again.struct_size = sizeof again;
-        OK(fairmesh_solver_report(solver, &again, &error));
-        CHECK(memcmp(&again, &report, sizeof report) == 0);
-    }
-    {
-        fairmesh_component all;
-        fairmesh_attempt attempt;
-        all.struct_size = sizeof all;
-        OK(fairmesh_solver_component(solver, 0, &all, &error));
-        CHECK(all.free_vertices == report.free_vertices && all.outcome == report.outcome);
-        CHECK(fairmesh_solver_component(solver, 1, &all, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
-        CHECK(all.bending_energy == report.bending_energy && all.attempt_count >= 1);
-        attempt.struct_size = sizeof attempt;
-        OK(fairmesh_solver_attempt(solver, 0, all.attempt_count - 1, &attempt, &error));
-        CHECK(attempt.name[0] != 0 && attempt.free_vertices == report.free_vertices);
-        CHECK(fairmesh_solver_attempt(solver, 0, all.attempt_count, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
-        CHECK(fairmesh_solver_attempt(solver, 1, 0, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
-    }
-    OK(fairmesh_solver_result(solver, &result, &error));
-    OK(fairmesh_solver_free(solver));
-    CHECK(fairmesh_solver_free(solver) == FAIRMESH_STATUS_BAD_HANDLE);
-    CHECK(fairmesh_solver_run(solver, 1, NULL, NULL) == FAIRMESH_STATUS_BAD_HANDLE);
-    OK(fairmesh_result_positions(result, &to, &error));
-    CHECK(off_sphere(steps, cap.vertices) < 2e-3);
-    OK(fairmesh_result_free(result));
-    OK(fairmesh_solver_free(NULL));
-    free(whole);
-    free(steps);
-    free(h);
-    cap_free(&cap);
+    normals.vectors = points_of(unit, cap->vertices);
+    OK(fairmesh_solver_set_boundary_normals(at->solver, &normals, &error));
+    free(unit);
+    OK(fairmesh_solver_run(at->solver, 1000, &at->report, &error));
+    CHECK(at->report.outcome == FAIRMESH_OUTCOME_CONVERGED);
+    OK(fairmesh_solver_positions(at->solver, &at->to, &error));
+    CHECK(off_sphere(at->steps, cap->vertices) < 2e-3);
 }
 
-static void holes(void) {
-    Cap cap = cap_new(15);
-    fairmesh_mesh mesh = cap.mesh;
-    fairmesh_options options = quick();
-    fairmesh_fill_options fill;
-    fairmesh_remesh_options again;
-    fairmesh_result *loops = NULL, *filled = NULL, *remeshed = NULL;
+static void reports_of_solver(const Stepped *at) {
+    fairmesh_report again;
+    fairmesh_component all;
+    fairmesh_attempt attempt;
+    fairmesh_error error;
+    again.struct_size = sizeof again;
+    OK(fairmesh_solver_report(at->solver, &again, &error));
+    CHECK(memcmp(&again, &at->report, sizeof again) == 0);
+    all.struct_size = sizeof all;
+    OK(fairmesh_solver_component(at->solver, 0, &all, &error));
+    CHECK(all.free_vertices == again.free_vertices && all.outcome == again.outcome);
+    CHECK(fairmesh_solver_component(at->solver, 1, &all, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(all.bending_energy == again.bending_energy && all.attempt_count >= 1);
+    attempt.struct_size = sizeof attempt;
+    OK(fairmesh_solver_attempt(at->solver, 0, all.attempt_count - 1, &attempt, &error));
+    CHECK(attempt.name[0] != 0 && attempt.free_vertices == again.free_vertices);
+    CHECK(fairmesh_solver_attempt(at->solver, 0, all.attempt_count, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(fairmesh_solver_attempt(at->solver, 1, 0, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+}
+
+static void in_steps(void) {
+    Stepped at;
+    fairmesh_result *result = NULL;
+    fairmesh_error error;
+    memset(&at, 0, sizeof at);
+    at.cap = cap_new(15);
+    at.report.struct_size = sizeof at.report;
+    at.steps = (double *)must(malloc(3 * at.cap.vertices * sizeof(double)));
+    at.to = points_out_of(at.steps, at.cap.vertices);
+    one_iteration_at_a_time(&at);
+    another_target_and_normals(&at);
+    reports_of_solver(&at);
+    OK(fairmesh_solver_result(at.solver, &result, &error));
+    OK(fairmesh_solver_free(at.solver));
+    CHECK(fairmesh_solver_free(at.solver) == FAIRMESH_STATUS_BAD_HANDLE);
+    CHECK(fairmesh_solver_run(at.solver, 1, NULL, NULL) == FAIRMESH_STATUS_BAD_HANDLE);
+    OK(fairmesh_result_positions(result, &at.to, &error));
+    CHECK(off_sphere(at.steps, at.cap.vertices) < 2e-3);
+    OK(fairmesh_result_free(result));
+    OK(fairmesh_solver_free(NULL));
+    free(at.steps);
+    cap_free(&at.cap);
+}
+
+/* The number of the loop that is a hole, of two. */
+static uint32_t loop_of_hole(const fairmesh_mesh *mesh) {
+    fairmesh_result *loops = NULL;
     fairmesh_info info;
     fairmesh_loop boundary;
-    fairmesh_fill_report what;
     fairmesh_error error;
-    fairmesh_report report;
-    size_t t, kept = 0, size = 0, v;
+    size_t size = 0;
     uint64_t l, hole = 99;
-    uint32_t chosen, *list, *corners;
-    double *positions, *weights;
-    /* The dent goes, and leaves a hole. */
-    for (t = 0; t < cap.triangles; t++) {
-        const uint32_t *c = cap.corners + 3 * t;
-        if (!cap.free_mask[c[0]] && !cap.free_mask[c[1]] && !cap.free_mask[c[2]]) {
-            memmove(cap.corners + 3 * kept++, c, 12);
-        }
-    }
-    mesh.triangles.count = kept;
-    OK(fairmesh_boundary_loops(&mesh, &loops, &error));
+    OK(fairmesh_boundary_loops(mesh, &loops, &error));
     info.struct_size = sizeof info;
     OK(fairmesh_result_info(loops, &info, &error));
     CHECK(info.kind == FAIRMESH_RESULT_KIND_LOOPS && info.loop_count == 2);
@@ -488,58 +569,115 @@ static void holes(void) {
     }
     CHECK(hole < 2);
     OK(fairmesh_result_free(loops));
+    return (uint32_t)hole;
+}
 
-    OK(fairmesh_fill_options_init(&fill, sizeof fill));
-    chosen = (uint32_t)hole;
-    fill.loops.data = &chosen;
-    fill.loops.count = 1;
-    OK(fairmesh_fill_holes(&mesh, &fill, &options, &filled, &error));
+static void reports_of_filling(const Cap *cap, const fairmesh_result *filled, uint32_t hole) {
+    fairmesh_info info;
+    fairmesh_fill_report what;
+    fairmesh_report report;
+    fairmesh_error error;
+    size_t size = 0;
+    info.struct_size = sizeof info;
     OK(fairmesh_result_info(filled, &info, &error));
     CHECK(info.kind == FAIRMESH_RESULT_KIND_FILLED && info.loop_count == 1);
     CHECK(info.new_vertex_count > 5 && info.new_triangle_count > 20);
     what.struct_size = sizeof what;
     OK(fairmesh_result_fill_report(filled, 0, &what, &error));
     CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_FAIRED && what.loop_index == hole && what.has_report);
-    CHECK(what.first_vertex == cap.vertices && what.vertex_count == info.new_vertex_count);
+    CHECK(what.first_vertex == cap->vertices && what.vertex_count == info.new_vertex_count);
     report.struct_size = sizeof report;
     OK(fairmesh_result_report(filled, 0, &report, &error));
     CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
+    OK(fairmesh_result_list(filled, FAIRMESH_LIST_OUTSIDE_VERTICES, 0, NULL, 0, &size, &error));
+    CHECK(size == what.outside_count);
+}
+
+/* What was there stands before what is new, which is on the sphere. */
+static void mesh_of_filling(const Cap *cap, const fairmesh_result *filled, size_t kept) {
+    fairmesh_info info;
+    fairmesh_error error;
+    fairmesh_points_out to;
+    fairmesh_indices_out into;
+    double *positions;
+    uint32_t *corners;
+    info.struct_size = sizeof info;
+    OK(fairmesh_result_info(filled, &info, &error));
     positions = (double *)must(malloc((size_t)info.vertex_count * 24));
     corners = (uint32_t *)must(malloc((size_t)info.triangle_count * 12));
-    {
-        fairmesh_points_out to = points_out_of(positions, (size_t)info.vertex_count);
-        fairmesh_indices_out into;
-        memset(&into, 0, sizeof into);
-        into.data = corners;
-        into.count = (size_t)info.triangle_count;
-        OK(fairmesh_result_positions(filled, &to, &error));
-        OK(fairmesh_result_triangles(filled, &into, &error));
-    }
-    CHECK(memcmp(corners, cap.corners, kept * 12) == 0);
-    CHECK(memcmp(positions, cap.positions, cap.vertices * 24) == 0);
-    CHECK(off_sphere(positions + 3 * cap.vertices, (size_t)info.new_vertex_count) < 5e-3);
+    to = points_out_of(positions, (size_t)info.vertex_count);
+    memset(&into, 0, sizeof into);
+    into.data = corners;
+    into.count = (size_t)info.triangle_count;
+    OK(fairmesh_result_positions(filled, &to, &error));
+    OK(fairmesh_result_triangles(filled, &into, &error));
+    CHECK(memcmp(corners, cap->corners, kept * 12) == 0);
+    CHECK(memcmp(positions, cap->positions, cap->vertices * 24) == 0);
+    CHECK(off_sphere(positions + 3 * cap->vertices, (size_t)info.new_vertex_count) < 5e-3);
+    free(positions);
+    free(corners);
+}
+
+static void parents_of_filling(const Cap *cap, const fairmesh_result *filled) {
+    fairmesh_info info;
+    fairmesh_error error;
+    fairmesh_points_out to;
+    size_t size = 0, v;
+    uint32_t *list;
+    double *weights;
+    info.struct_size = sizeof info;
+    OK(fairmesh_result_info(filled, &info, &error));
     OK(fairmesh_result_list(filled, FAIRMESH_LIST_PARENTS, 0, NULL, 0, &size, &error));
     CHECK(size == 3 * info.new_vertex_count);
     list = (uint32_t *)must(malloc(size * 4));
     weights = (double *)must(malloc(size * 8));
     OK(fairmesh_result_list(filled, FAIRMESH_LIST_PARENTS, 0, list, size, &size, &error));
-    {
-        fairmesh_points_out to = points_out_of(weights, size / 3);
-        OK(fairmesh_result_vectors(filled, FAIRMESH_VECTORS_PARENT_WEIGHTS, &to, &error));
-    }
+    to = points_out_of(weights, size / 3);
+    OK(fairmesh_result_vectors(filled, FAIRMESH_VECTORS_PARENT_WEIGHTS, &to, &error));
     for (v = 0; v < size; v += 3) {
-        CHECK(list[v] < cap.vertices && fabs(weights[v] + weights[v + 1] + weights[v + 2] - 1.0) < 1e-9);
+        CHECK(list[v] < cap->vertices && fabs(weights[v] + weights[v + 1] + weights[v + 2] - 1.0) < 1e-9);
     }
-    OK(fairmesh_result_list(filled, FAIRMESH_LIST_OUTSIDE_VERTICES, 0, NULL, 0, &size, &error));
-    CHECK(size == what.outside_count);
-    OK(fairmesh_result_free(filled));
-    free(positions);
-    free(corners);
     free(list);
     free(weights);
-    cap_free(&cap);
+}
 
-    cap = cap_new(15);
+static void holes(void) {
+    Cap cap = cap_new(15);
+    fairmesh_mesh mesh = cap.mesh;
+    fairmesh_options options = quick();
+    fairmesh_fill_options fill;
+    fairmesh_result *filled = NULL;
+    fairmesh_error error;
+    size_t t, kept = 0;
+    uint32_t hole;
+    /* The dent goes, and leaves a hole. */
+    for (t = 0; t < cap.triangles; t++) {
+        const uint32_t *c = cap.corners + 3 * t;
+        if (!cap.free_mask[c[0]] && !cap.free_mask[c[1]] && !cap.free_mask[c[2]]) {
+            memmove(cap.corners + 3 * kept++, c, 12);
+        }
+    }
+    mesh.triangles.count = kept;
+    hole = loop_of_hole(&mesh);
+    OK(fairmesh_fill_options_init(&fill, sizeof fill));
+    fill.loops.data = &hole;
+    fill.loops.count = 1;
+    OK(fairmesh_fill_holes(&mesh, &fill, &options, &filled, &error));
+    reports_of_filling(&cap, filled, hole);
+    mesh_of_filling(&cap, filled, kept);
+    parents_of_filling(&cap, filled);
+    OK(fairmesh_result_free(filled));
+    cap_free(&cap);
+}
+
+static void remeshing(void) {
+    Cap cap = cap_new(15);
+    fairmesh_remesh_options again;
+    fairmesh_result *remeshed = NULL;
+    fairmesh_info info;
+    fairmesh_error error;
+    size_t size = 0;
+    info.struct_size = sizeof info;
     OK(fairmesh_remesh_options_init(&again, sizeof again));
     again.density *= 1.5;
     OK(fairmesh_remesh(&cap.mesh, &cap.selection, &again, &remeshed, &error));
@@ -589,30 +727,19 @@ static void check_whole_sphere(const fairmesh_result *filled) {
     free(corners);
 }
 
-/* Two caps of a sphere, joined: by themselves, by their numbers, not if one of them is turned around. */
-static void joins(void) {
-    Ball *ball = (Ball *)must(malloc(sizeof *ball));
-    fairmesh_options options = quick();
-    fairmesh_fill_options fill;
-    fairmesh_join_suggestion suggestion;
-    fairmesh_fill_report what;
+static void two_components(const Ball *ball) {
     fairmesh_result *result = NULL;
     fairmesh_info info;
     fairmesh_loop boundary;
     fairmesh_error error;
-    uint32_t loops[3] = {1, 0, 2}, starts[2] = {0, 2}, list[2] = {9, 9}, *of;
+    uint32_t *of = (uint32_t *)must(malloc(BALL_TRIANGLES * sizeof *of));
     size_t size = 0, t;
-    ball_make(ball);
     info.struct_size = sizeof info;
-    suggestion.struct_size = sizeof suggestion;
-    what.struct_size = sizeof what;
     boundary.struct_size = sizeof boundary;
-
     OK(fairmesh_components(&ball->mesh, &result, &error));
     OK(fairmesh_result_info(result, &info, &error));
     CHECK(info.kind == FAIRMESH_RESULT_KIND_COMPONENTS && info.component_count == 2);
     CHECK(info.vertex_count == BALL_VERTICES && info.triangle_count == BALL_TRIANGLES);
-    of = (uint32_t *)must(malloc(BALL_TRIANGLES * sizeof *of));
     OK(fairmesh_result_list(result, FAIRMESH_LIST_TRIANGLE_COMPONENTS, 0, of, BALL_TRIANGLES, &size, &error));
     for (t = 0; t < size; t++) CHECK(of[t] == t / BALL_CAP_TRIANGLES);
     OK(fairmesh_result_free(result));
@@ -621,7 +748,28 @@ static void joins(void) {
     OK(fairmesh_result_loop(result, 1, &boundary, &error));
     CHECK(boundary.component == 1 && boundary.vertex_count == BALL_ROUND);
     OK(fairmesh_result_free(result));
+}
 
+static void first_two_are_joined(const fairmesh_result *result) {
+    uint32_t list[2] = {9, 9};
+    size_t size = 0;
+    fairmesh_error error;
+    OK(fairmesh_result_list(result, FAIRMESH_LIST_JOINED_LOOPS, 0, list, 2, &size, &error));
+    CHECK(size == 2 && list[0] == 0 && list[1] == 1);
+}
+
+/* What is suggested is what is done without being told. */
+static void joined_by_themselves(const Ball *ball) {
+    fairmesh_options options = quick();
+    fairmesh_fill_options fill;
+    fairmesh_join_suggestion suggestion;
+    fairmesh_fill_report what;
+    fairmesh_result *result = NULL;
+    fairmesh_info info;
+    fairmesh_error error;
+    info.struct_size = sizeof info;
+    suggestion.struct_size = sizeof suggestion;
+    what.struct_size = sizeof what;
     OK(fairmesh_suggest_joins(&ball->mesh, NULL, &result, &error));
     OK(fairmesh_result_info(result, &info, &error));
     CHECK(info.kind == FAIRMESH_RESULT_KIND_JOINS && info.loop_count == 1);
@@ -629,8 +777,7 @@ static void joins(void) {
     CHECK(suggestion.loop_count == 2 && suggestion.joint_bend < 0.9 * suggestion.separate_bend);
     CHECK(suggestion.joint_area > 0 && suggestion.separate_area > 0);
     CHECK(fairmesh_result_suggestion(result, 1, &suggestion, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
-    OK(fairmesh_result_list(result, FAIRMESH_LIST_JOINED_LOOPS, 0, list, 2, &size, &error));
-    CHECK(size == 2 && list[0] == 0 && list[1] == 1);
+    first_two_are_joined(result);
     OK(fairmesh_result_free(result));
 
     OK(fairmesh_fill_options_init(&fill, sizeof fill));
@@ -642,11 +789,23 @@ static void joins(void) {
     CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_FAIRED && what.joined_count == 2 && what.edge_count == 2 * BALL_ROUND);
     CHECK(what.joint_bend == suggestion.joint_bend && what.separate_area == suggestion.separate_area);
     CHECK(what.reason_element == FAIRMESH_NO_ELEMENT && what.reason_other == FAIRMESH_NO_ELEMENT);
-    OK(fairmesh_result_list(result, FAIRMESH_LIST_JOINED_LOOPS, 0, list, 2, &size, &error));
-    CHECK(size == 2 && list[0] == 0 && list[1] == 1);
+    first_two_are_joined(result);
     OK(fairmesh_result_free(result));
+}
 
-    /* By their numbers, and no other loop. */
+/* By their numbers, and no other loop; a third one is not there; a group for each is as no group. */
+static void joined_by_number(Ball *ball) {
+    fairmesh_options options = quick();
+    fairmesh_fill_options fill;
+    fairmesh_fill_report what;
+    fairmesh_result *result = NULL;
+    fairmesh_info info;
+    fairmesh_error error;
+    uint32_t loops[3] = {1, 0, 2}, starts[2] = {0, 2};
+    size_t t;
+    info.struct_size = sizeof info;
+    what.struct_size = sizeof what;
+    OK(fairmesh_fill_options_init(&fill, sizeof fill));
     fill.join.kind = FAIRMESH_JOIN_KIND_GROUPS;
     fill.join.loops.data = loops;
     fill.join.loops.count = 2;
@@ -662,8 +821,6 @@ static void joins(void) {
     fill.join.loops.count = 3;
     CHECK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error) == FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE);
     CHECK(error.element_kind == FAIRMESH_ELEMENT_LOOP && error.element == 2);
-
-    /* A group for each is as no group. */
     starts[1] = 1;
     fill.join.starts.count = 2;
     fill.join.loops.count = 2;
@@ -684,39 +841,31 @@ static void joins(void) {
     CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_LEFT_OPEN && what.reason == FAIRMESH_FILL_REASON_OPPOSITE_SIDES);
     CHECK(what.reason_element == 0 && what.reason_other == 1 && what.triangle_count == 0);
     OK(fairmesh_result_free(result));
+}
+
+/* Two caps of a sphere, joined: by themselves, by their numbers, not if one of them is turned around. */
+static void joins(void) {
+    Ball *ball = (Ball *)must(malloc(sizeof *ball));
+    ball_make(ball);
+    two_components(ball);
+    joined_by_themselves(ball);
+    joined_by_number(ball);
     free(ball);
 }
 
-/* A strip between the two caps, and the rest filled; guides; chains that are none. */
-static void bridges(void) {
-    Ball *ball = (Ball *)must(malloc(sizeof *ball));
+static void strip_alone(const Ball *ball, const fairmesh_indices *from, const fairmesh_indices *to) {
     fairmesh_options options = quick();
-    fairmesh_bridge_options how;
     fairmesh_bridge_report told;
-    fairmesh_fill_options fill;
     fairmesh_fill_report strip;
     fairmesh_report report;
-    fairmesh_info info;
     fairmesh_result *result = NULL;
     fairmesh_error error;
-    uint32_t ends[2][3], guide[4], list[8];
-    fairmesh_indices from, to;
-    size_t k, size;
-    ball_make(ball);
-    for (k = 0; k < 3; k++) {
-        ends[0][k] = (uint32_t)(BALL_CAP - BALL_ROUND + k);
-        ends[1][k] = (uint32_t)(BALL_VERTICES - BALL_ROUND + k);
-    }
-    memset(&from, 0, sizeof from);
-    from.data = ends[0];
-    from.count = 3;
-    to = from;
-    to.data = ends[1];
+    uint32_t list[8];
+    size_t size;
     told.struct_size = sizeof told;
     strip.struct_size = sizeof strip;
-    info.struct_size = sizeof info;
     report.struct_size = sizeof report;
-    OK(fairmesh_bridge(&ball->mesh, &from, &to, NULL, NULL, &options, &result, &error));
+    OK(fairmesh_bridge(&ball->mesh, from, to, NULL, NULL, &options, &result, &error));
     OK(fairmesh_result_bridge(result, &told, &error));
     CHECK(!told.has_whole && told.rest_count == 0 && fabs(told.twist) < 20);
     OK(fairmesh_result_fill_report(result, 0, &strip, &error));
@@ -728,11 +877,23 @@ static void bridges(void) {
     CHECK(fairmesh_result_list(result, FAIRMESH_LIST_BRIDGE_SIDE, 2, NULL, 0, &size, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     CHECK(fairmesh_result_report(result, 1, &report, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     OK(fairmesh_result_free(result));
+}
 
+static void strip_and_rest(const Ball *ball, const fairmesh_indices *from, const fairmesh_indices *to) {
+    fairmesh_options options = quick();
+    fairmesh_bridge_options how;
+    fairmesh_bridge_report told;
+    fairmesh_report report;
+    fairmesh_info info;
+    fairmesh_result *result = NULL;
+    fairmesh_error error;
+    told.struct_size = sizeof told;
+    info.struct_size = sizeof info;
+    report.struct_size = sizeof report;
     OK(fairmesh_bridge_options_init(&how, sizeof how));
     CHECK(how.fill == 0 && how.width == 0);
     how.fill = 1;
-    OK(fairmesh_bridge(&ball->mesh, &from, &to, &how, NULL, &options, &result, &error));
+    OK(fairmesh_bridge(&ball->mesh, from, to, &how, NULL, &options, &result, &error));
     OK(fairmesh_result_bridge(result, &told, &error));
     CHECK(told.is_clean && told.has_whole && told.rest_count == 1);
     OK(fairmesh_result_info(result, &info, &error));
@@ -741,27 +902,111 @@ static void bridges(void) {
     CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
     check_whole_sphere(result);
     OK(fairmesh_result_free(result));
-
     how.width = -1;
-    CHECK(fairmesh_bridge(&ball->mesh, &from, &to, &how, NULL, &options, &result, &error) == FAIRMESH_STATUS_BAD_OPTION);
+    CHECK(fairmesh_bridge(&ball->mesh, from, to, &how, NULL, &options, &result, &error) == FAIRMESH_STATUS_BAD_OPTION);
     CHECK(error.element == 4 && error.other == offsetof(fairmesh_bridge_options, width));
-    ends[1][1] = 0;
-    CHECK(fairmesh_bridge(&ball->mesh, &from, &to, NULL, NULL, &options, &result, &error) == FAIRMESH_STATUS_BAD_CHAIN);
-    CHECK(error.element_kind == FAIRMESH_ELEMENT_VERTEX && error.element == 0);
+}
 
+/* Guides from these two vertices and from those across. */
+static void guides(const Ball *ball, uint32_t from, uint32_t to) {
+    fairmesh_options options = quick();
+    fairmesh_fill_options fill;
+    fairmesh_result *result = NULL;
+    fairmesh_error error;
+    uint32_t guide[4];
     OK(fairmesh_fill_options_init(&fill, sizeof fill));
     fill.join.kind = FAIRMESH_JOIN_KIND_AUTO;
     fill.guides.data = guide;
     fill.guides.count = 2;
-    guide[0] = ends[0][0], guide[1] = ends[1][0];
-    guide[2] = ends[0][0] + BALL_ROUND / 2, guide[3] = ends[1][0] + BALL_ROUND / 2;
+    guide[0] = from, guide[1] = to;
+    guide[2] = from + BALL_ROUND / 2, guide[3] = to + BALL_ROUND / 2;
     OK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error));
     check_whole_sphere(result);
     OK(fairmesh_result_free(result));
     guide[3] = 0;
     CHECK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error) == FAIRMESH_STATUS_BAD_GUIDE);
     CHECK(error.element_kind == FAIRMESH_ELEMENT_EDGE);
+}
+
+/* A strip between the two caps, and the rest filled; guides; chains that are none. */
+static void bridges(void) {
+    Ball *ball = (Ball *)must(malloc(sizeof *ball));
+    fairmesh_options options = quick();
+    fairmesh_result *result = NULL;
+    fairmesh_error error;
+    uint32_t ends[2][3];
+    fairmesh_indices from, to;
+    size_t k;
+    ball_make(ball);
+    for (k = 0; k < 3; k++) {
+        ends[0][k] = (uint32_t)(BALL_CAP - BALL_ROUND + k);
+        ends[1][k] = (uint32_t)(BALL_VERTICES - BALL_ROUND + k);
+    }
+    memset(&from, 0, sizeof from);
+    from.data = ends[0];
+    from.count = 3;
+    to = from;
+    to.data = ends[1];
+    strip_alone(ball, &from, &to);
+    strip_and_rest(ball, &from, &to);
+    ends[1][1] = 0;
+    CHECK(fairmesh_bridge(&ball->mesh, &from, &to, NULL, NULL, &options, &result, &error) == FAIRMESH_STATUS_BAD_CHAIN);
+    CHECK(error.element_kind == FAIRMESH_ELEMENT_VERTEX && error.element == 0);
+    guides(ball, ends[0][0], ends[1][0]);
     free(ball);
+}
+
+/* What stays of the mesh when these faces are erased; `list` has room for all triangles. */
+static size_t erased_from(const Cap *cap, const fairmesh_indices *faces, uint32_t *loops, uint32_t *list, uint32_t *corners) {
+    fairmesh_info info;
+    fairmesh_error error;
+    fairmesh_result *erased = NULL;
+    size_t t, size = 0;
+    OK(fairmesh_erase(&cap->mesh, faces, &erased, &error));
+    info.struct_size = sizeof info;
+    OK(fairmesh_result_info(erased, &info, &error));
+    CHECK(info.kind == FAIRMESH_RESULT_KIND_ERASED && info.loop_count == 1 && info.vertex_count == cap->vertices);
+    CHECK(info.triangle_count + info.dropped_count + faces->count == cap->triangles);
+    OK(fairmesh_result_list(erased, FAIRMESH_LIST_ERASED_LOOPS, 0, loops, 4, &size, &error));
+    CHECK(size == 1);
+    OK(fairmesh_result_list(erased, FAIRMESH_LIST_KEPT_TRIANGLES, 0, list, cap->triangles, &size, &error));
+    CHECK(size == info.triangle_count);
+    for (t = 0; t < size; t++) memcpy(corners + 3 * t, cap->corners + 3 * list[t], 12);
+    OK(fairmesh_result_free(erased));
+    return size;
+}
+
+static void filled_where_erased(const Cap *cap, const fairmesh_mesh *left, uint32_t *loops) {
+    fairmesh_options options = quick();
+    fairmesh_fill_options fill;
+    fairmesh_fill_report what;
+    fairmesh_info info;
+    fairmesh_error error;
+    fairmesh_result *filled = NULL;
+    fairmesh_points_out to;
+    double *positions;
+    OK(fairmesh_fill_options_init(&fill, sizeof fill));
+    fill.loops.data = loops;
+    fill.loops.count = 1;
+    fill.on_failure = FAIRMESH_ON_FAILURE_OPEN;
+    OK(fairmesh_fill_holes(left, &fill, &options, &filled, &error));
+    what.struct_size = sizeof what;
+    OK(fairmesh_result_fill_report(filled, 0, &what, &error));
+    CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_FAIRED && what.loop_index == loops[0]);
+    info.struct_size = sizeof info;
+    OK(fairmesh_result_info(filled, &info, &error));
+    positions = (double *)must(malloc((size_t)info.vertex_count * 24));
+    to = points_out_of(positions, (size_t)info.vertex_count);
+    OK(fairmesh_result_positions(filled, &to, &error));
+    CHECK(off_sphere(positions + 3 * cap->vertices, (size_t)info.new_vertex_count) < 5e-3);
+    free(positions);
+    OK(fairmesh_result_free(filled));
+    /* One iteration is not enough, and such loops stay open. */
+    options.max_iterations = 1;
+    OK(fairmesh_fill_holes(left, &fill, &options, &filled, &error));
+    OK(fairmesh_result_fill_report(filled, 0, &what, &error));
+    CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_LEFT_OPEN && what.reason == FAIRMESH_FILL_REASON_NOT_FAIR);
+    OK(fairmesh_result_free(filled));
 }
 
 /* A dent erased and filled. */
@@ -769,62 +1014,24 @@ static void erasing(void) {
     Cap cap = cap_new(15);
     fairmesh_indices faces;
     fairmesh_mesh left = cap.mesh;
-    fairmesh_options options = quick();
-    fairmesh_fill_options fill;
-    fairmesh_fill_report what;
-    fairmesh_info info;
     fairmesh_error error;
-    fairmesh_result *erased = NULL, *filled = NULL;
+    fairmesh_result *erased = NULL;
     uint32_t *list = (uint32_t *)must(malloc(cap.triangles * 4)), *corners = (uint32_t *)must(malloc(cap.triangles * 12));
     uint32_t loops[4];
-    double *positions;
-    size_t t, size = 0;
+    size_t t;
     memset(&faces, 0, sizeof faces);
     faces.data = list;
     for (t = 0; t < cap.triangles; t++) {
         const uint32_t *c = cap.corners + 3 * t;
         if (cap.free_mask[c[0]] || cap.free_mask[c[1]] || cap.free_mask[c[2]]) list[faces.count++] = (uint32_t)t;
     }
-    OK(fairmesh_erase(&cap.mesh, &faces, &erased, &error));
-    info.struct_size = sizeof info;
-    OK(fairmesh_result_info(erased, &info, &error));
-    CHECK(info.kind == FAIRMESH_RESULT_KIND_ERASED && info.loop_count == 1 && info.vertex_count == cap.vertices);
-    CHECK(info.triangle_count + info.dropped_count + faces.count == cap.triangles);
-    OK(fairmesh_result_list(erased, FAIRMESH_LIST_ERASED_LOOPS, 0, loops, 4, &size, &error));
-    CHECK(size == 1);
-    OK(fairmesh_result_list(erased, FAIRMESH_LIST_KEPT_TRIANGLES, 0, list, cap.triangles, &size, &error));
-    CHECK(size == info.triangle_count);
-    for (t = 0; t < size; t++) memcpy(corners + 3 * t, cap.corners + 3 * list[t], 12);
-    OK(fairmesh_result_free(erased));
     left.triangles.data = corners;
-    left.triangles.count = size;
-    OK(fairmesh_fill_options_init(&fill, sizeof fill));
-    fill.loops.data = loops;
-    fill.loops.count = 1;
-    fill.on_failure = FAIRMESH_ON_FAILURE_OPEN;
-    OK(fairmesh_fill_holes(&left, &fill, &options, &filled, &error));
-    what.struct_size = sizeof what;
-    OK(fairmesh_result_fill_report(filled, 0, &what, &error));
-    CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_FAIRED && what.loop_index == loops[0]);
-    OK(fairmesh_result_info(filled, &info, &error));
-    positions = (double *)must(malloc((size_t)info.vertex_count * 24));
-    {
-        fairmesh_points_out to = points_out_of(positions, (size_t)info.vertex_count);
-        OK(fairmesh_result_positions(filled, &to, &error));
-    }
-    CHECK(off_sphere(positions + 3 * cap.vertices, (size_t)info.new_vertex_count) < 5e-3);
-    OK(fairmesh_result_free(filled));
-    /* One iteration is not enough, and such loops stay open. */
-    options.max_iterations = 1;
-    OK(fairmesh_fill_holes(&left, &fill, &options, &filled, &error));
-    OK(fairmesh_result_fill_report(filled, 0, &what, &error));
-    CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_LEFT_OPEN && what.reason == FAIRMESH_FILL_REASON_NOT_FAIR);
-    OK(fairmesh_result_free(filled));
+    left.triangles.count = erased_from(&cap, &faces, loops, list, corners);
+    filled_where_erased(&cap, &left, loops);
     list[0] = (uint32_t)cap.triangles;
     CHECK(fairmesh_erase(&cap.mesh, &faces, &erased, &error) == FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE);
     CHECK(error.element_kind == FAIRMESH_ELEMENT_TRIANGLE && error.element == cap.triangles);
     CHECK(fairmesh_erase(&cap.mesh, NULL, &erased, &error) == FAIRMESH_STATUS_NULL_POINTER);
-    free(positions);
     free(corners);
     free(list);
     cap_free(&cap);
@@ -1009,18 +1216,50 @@ static int32_t stop_at_once(const fairmesh_progress *progress, void *user_data) 
     return 1;
 }
 
+/* What these points, of which the first one is not finite, take over: they lie near the dent, a twelfth of the radius below them. */
+static void carried_to(const Cap *cap, const double *positions, size_t count) {
+    fairmesh_points points = points_of(positions, count);
+    fairmesh_result *carried = NULL;
+    fairmesh_info info;
+    fairmesh_error error;
+    uint32_t *triangles = (uint32_t *)must(malloc(4 * count)), *corners = (uint32_t *)must(malloc(12 * count));
+    double *weights = (double *)must(malloc(24 * count));
+    fairmesh_points_out out = points_out_of(weights, count);
+    size_t k, i;
+    info.struct_size = sizeof info;
+    OK(fairmesh_carry_over(&cap->mesh, NULL, &points, &carried, &error));
+    OK(fairmesh_result_info(carried, &info, &error));
+    CHECK(info.kind == FAIRMESH_RESULT_KIND_CARRIED && info.new_vertex_count == count);
+    OK(fairmesh_result_list(carried, FAIRMESH_LIST_CARRIED_TRIANGLES, 0, triangles, count, &k, &error));
+    CHECK(k == count);
+    OK(fairmesh_result_list(carried, FAIRMESH_LIST_PARENTS, 0, corners, 3 * count, &k, &error));
+    CHECK(k == 3 * count);
+    OK(fairmesh_result_vectors(carried, FAIRMESH_VECTORS_PARENT_WEIGHTS, &out, &error));
+    OK(fairmesh_result_free(carried));
+    CHECK(triangles[0] == UINT32_MAX && corners[2] == UINT32_MAX && weights[0] == 0.0);
+    for (k = 1; k < count; k++) {
+        double at[3] = {0.0, 0.0, 0.0}, sum = 0.0, far = 0.0;
+        for (i = 0; i < 9; i++) at[i % 3] += weights[3 * k + i / 3] * cap->positions[3 * corners[3 * k + i / 3] + i % 3];
+        for (i = 0; i < 3; i++) sum += weights[3 * k + i], far += pow(at[i] - positions[3 * k + i], 2);
+        CHECK(fabs(sum - 1.0) < 1e-12 && far < 0.15 * 0.15);
+        CHECK(memcmp(corners + 3 * k, cap->corners + 3 * triangles[k], 12) == 0);
+    }
+    free(weights);
+    free(triangles);
+    free(corners);
+}
+
 /* A dent deleted and filled; colours carried over from what was there. */
 static void refilling(void) {
     Cap cap = cap_new(15);
     fairmesh_options options = quick();
     fairmesh_info info;
     fairmesh_error error;
-    fairmesh_result *refilled = NULL, *carried = NULL;
-    fairmesh_points points;
+    fairmesh_result *refilled = NULL;
     fairmesh_points_out out;
-    double *positions, *weights;
-    uint32_t *triangles, *corners, *kept;
-    size_t size, k, i, count;
+    double *positions;
+    uint32_t *kept;
+    size_t size, k;
     info.struct_size = sizeof info;
     OK(fairmesh_refill(&cap.mesh, &cap.selection, NULL, &options, &refilled, &error));
     OK(fairmesh_result_info(refilled, &info, &error));
@@ -1034,32 +1273,8 @@ static void refilling(void) {
     OK(fairmesh_result_positions(refilled, &out, &error));
     CHECK(off_sphere(positions, (size_t)info.vertex_count) < 5e-3);
     OK(fairmesh_result_free(refilled));
-
-    /* The new vertices lie near the dent, a twelfth of the radius below them; behind them one that is not finite. */
-    count = (size_t)info.new_vertex_count;
     positions[3 * size] = NAN;
-    points = points_of(positions + 3 * size, count);
-    OK(fairmesh_carry_over(&cap.mesh, NULL, &points, &carried, &error));
-    OK(fairmesh_result_info(carried, &info, &error));
-    CHECK(info.kind == FAIRMESH_RESULT_KIND_CARRIED && info.new_vertex_count == count);
-    triangles = (uint32_t *)must(malloc(4 * count));
-    corners = (uint32_t *)must(malloc(12 * count));
-    weights = (double *)must(malloc(24 * count));
-    OK(fairmesh_result_list(carried, FAIRMESH_LIST_CARRIED_TRIANGLES, 0, triangles, count, &k, &error));
-    CHECK(k == count);
-    OK(fairmesh_result_list(carried, FAIRMESH_LIST_PARENTS, 0, corners, 3 * count, &k, &error));
-    CHECK(k == 3 * count);
-    out = points_out_of(weights, count);
-    OK(fairmesh_result_vectors(carried, FAIRMESH_VECTORS_PARENT_WEIGHTS, &out, &error));
-    OK(fairmesh_result_free(carried));
-    CHECK(triangles[0] == UINT32_MAX && corners[2] == UINT32_MAX && weights[0] == 0.0);
-    for (k = 1; k < count; k++) {
-        double at[3] = {0.0, 0.0, 0.0}, sum = 0.0, far = 0.0;
-        for (i = 0; i < 9; i++) at[i % 3] += weights[3 * k + i / 3] * cap.positions[3 * corners[3 * k + i / 3] + i % 3];
-        for (i = 0; i < 3; i++) sum += weights[3 * k + i], far += pow(at[i] - positions[3 * (size + k) + i], 2);
-        CHECK(fabs(sum - 1.0) < 1e-12 && far < 0.15 * 0.15);
-        CHECK(memcmp(corners + 3 * k, cap.corners + 3 * triangles[k], 12) == 0);
-    }
+    carried_to(&cap, positions + 3 * size, (size_t)info.new_vertex_count);
 
     /* Stopped; and a region at the boundary of the mesh. */
     options.progress = stop_at_once;
@@ -1069,9 +1284,6 @@ static void refilling(void) {
     options.progress = NULL;
     CHECK(fairmesh_refill(&cap.mesh, NULL, NULL, &options, &refilled, NULL) == FAIRMESH_STATUS_NO_FAIR_PATCH);
     free(positions);
-    free(weights);
-    free(triangles);
-    free(corners);
     free(kept);
     cap_free(&cap);
 }
@@ -1095,24 +1307,29 @@ static size_t select_of(const fairmesh_mesh *mesh, const fairmesh_region_step *a
 /* A wide sheet with a bump in the middle. */
 enum { WIDE = 81 };
 
-static void regions(void) {
-    static uint32_t list[2 * WIDE * WIDE], corner[3];
-    fairmesh_error error;
-    fairmesh_result *chosen = NULL;
-    fairmesh_region_step asked[4];
-    fairmesh_bump bump;
+static Cap wide_sheet(void) {
     Cap cap = cap_new(WIDE);
-    uint32_t counts[4];
-    size_t v, size;
+    size_t v;
     for (v = 0; v < cap.vertices; v++) {
         double x = (double)(v % WIDE) - WIDE / 2, y = (double)(v / WIDE) - WIDE / 2, r = (x * x + y * y) / 64.0;
         cap.positions[3 * v] = x;
         cap.positions[3 * v + 1] = y;
         cap.positions[3 * v + 2] = r < 1.0 ? 3.0 * (1.0 - r) * (1.0 - r) * (1.0 - r) : 0.0;
     }
+    return cap;
+}
+
+/* A box, half of it, without one triangle, and all others. */
+static void combined_regions(const Cap *cap, uint32_t *list) {
+    fairmesh_error error;
+    fairmesh_result *chosen = NULL;
+    fairmesh_region_step asked[4];
+    fairmesh_bump bump;
+    uint32_t counts[4], one;
+    size_t size;
     memset(asked, 0, sizeof asked);
-    CHECK(select_of(&cap.mesh, NULL, 0, list, cap.triangles) == 0);
-    CHECK(select_of(&cap.mesh, asked, 1, list, cap.triangles) == cap.triangles);
+    CHECK(select_of(&cap->mesh, NULL, 0, list, cap->triangles) == 0);
+    CHECK(select_of(&cap->mesh, asked, 1, list, cap->triangles) == cap->triangles);
     asked[0].kind = FAIRMESH_REGION_KIND_BOX;
     asked[0].point[0] = asked[0].point[1] = -2.0;
     asked[0].vector[0] = asked[0].vector[1] = 2.0;
@@ -1122,48 +1339,78 @@ static void regions(void) {
     asked[1].vector[0] = 1.0;
     asked[2].kind = FAIRMESH_REGION_KIND_TRIANGLES;
     asked[2].combine = FAIRMESH_COMBINE_REMOVE;
-    OK(fairmesh_select_region(&cap.mesh, asked, 2, &chosen, &error));
+    OK(fairmesh_select_region(&cap->mesh, asked, 2, &chosen, &error));
     OK(fairmesh_result_list(chosen, FAIRMESH_LIST_REGION_COUNTS, 0, counts, 4, &size, &error));
-    CHECK(size == 2 && counts[0] == 32 && counts[1] == cap.triangles / 2);
+    CHECK(size == 2 && counts[0] == 32 && counts[1] == cap->triangles / 2);
     CHECK(fairmesh_result_list(chosen, FAIRMESH_LIST_KEPT_TRIANGLES, 0, NULL, 0, &size, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     bump.struct_size = sizeof bump;
     CHECK(fairmesh_result_bump(chosen, 0, &bump, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     OK(fairmesh_result_free(chosen));
-    CHECK(select_of(&cap.mesh, asked, 2, list, cap.triangles) == 16);
-    corner[0] = list[0];
-    asked[2].list.data = corner;
+    CHECK(select_of(&cap->mesh, asked, 2, list, cap->triangles) == 16);
+    one = list[0];
+    asked[2].list.data = &one;
     asked[2].list.count = 1;
-    CHECK(select_of(&cap.mesh, asked, 3, list, cap.triangles) == 15);
+    CHECK(select_of(&cap->mesh, asked, 3, list, cap->triangles) == 15);
     asked[3].kind = FAIRMESH_REGION_KIND_INVERT;
-    CHECK(select_of(&cap.mesh, asked, 4, list, cap.triangles) == cap.triangles - 15);
-    /* The bump, from the vertex at its top. */
-    memset(asked, 0, sizeof asked);
-    asked[0].kind = FAIRMESH_REGION_KIND_BUMP;
-    asked[0].seed_kind = FAIRMESH_SEED_KIND_VERTEX;
-    asked[0].seed_vertex = WIDE * (WIDE / 2) + WIDE / 2;
-    OK(fairmesh_select_region(&cap.mesh, asked, 1, &chosen, &error));
+    CHECK(select_of(&cap->mesh, asked, 4, list, cap->triangles) == cap->triangles - 15);
+}
+
+/* The bump, from the vertex at its top. */
+static void bump_from_its_top(const Cap *cap, uint32_t *list) {
+    fairmesh_error error;
+    fairmesh_result *chosen = NULL;
+    fairmesh_region_step asked;
+    fairmesh_bump bump;
+    size_t size;
+    memset(&asked, 0, sizeof asked);
+    bump.struct_size = sizeof bump;
+    asked.kind = FAIRMESH_REGION_KIND_BUMP;
+    asked.seed_kind = FAIRMESH_SEED_KIND_VERTEX;
+    asked.seed_vertex = WIDE * (WIDE / 2) + WIDE / 2;
+    OK(fairmesh_select_region(&cap->mesh, &asked, 1, &chosen, &error));
     OK(fairmesh_result_bump(chosen, 0, &bump, &error));
-    OK(fairmesh_result_list(chosen, FAIRMESH_LIST_REGION_TRIANGLES, 0, list, cap.triangles, &size, &error));
+    OK(fairmesh_result_list(chosen, FAIRMESH_LIST_REGION_TRIANGLES, 0, list, cap->triangles, &size, &error));
     CHECK(bump.triangle_count == size && bump.radius > 6.0 && bump.radius < 16.0 && fabs(bump.surroundings) < 1e-3);
     CHECK(bump.departure > 0.02 && bump.scatter < bump.departure);
     OK(fairmesh_result_free(chosen));
-    /* Around a corner of the sheet, where it is flat: grown and shrunk again. */
+}
+
+/* Around a corner of the sheet, where it is flat: grown and shrunk again. */
+static void grown_and_shrunk(const Cap *cap, uint32_t *list) {
+    const uint32_t corner[3] = {0, 1, WIDE + 1};
+    fairmesh_region_step asked[2];
+    memset(asked, 0, sizeof asked);
     asked[0].kind = FAIRMESH_REGION_KIND_VERTICES;
-    corner[0] = 0, corner[1] = 1, corner[2] = WIDE + 1;
     asked[0].list.data = corner;
     asked[0].list.count = 3;
-    CHECK(select_of(&cap.mesh, asked, 1, list, cap.triangles) == 1 && list[0] == 0);
+    CHECK(select_of(&cap->mesh, asked, 1, list, cap->triangles) == 1 && list[0] == 0);
     asked[1].kind = FAIRMESH_REGION_KIND_GROW;
     asked[1].rings = 1;
-    CHECK(select_of(&cap.mesh, asked, 2, list, cap.triangles) > 5);
+    CHECK(select_of(&cap->mesh, asked, 2, list, cap->triangles) > 5);
     asked[1].rings = UINT64_MAX;
-    CHECK(select_of(&cap.mesh, asked, 2, list, cap.triangles) == cap.triangles);
+    CHECK(select_of(&cap->mesh, asked, 2, list, cap->triangles) == cap->triangles);
     asked[1].kind = FAIRMESH_REGION_KIND_SHRINK;
-    CHECK(select_of(&cap.mesh, asked, 2, list, cap.triangles) == 0);
-    /* Far away from the bump there is none. */
-    asked[0].kind = FAIRMESH_REGION_KIND_BUMP;
-    asked[0].seed_vertex = 12 * WIDE + 12;
-    CHECK(fairmesh_select_region(&cap.mesh, asked, 1, &chosen, &error) == FAIRMESH_STATUS_NO_BUMP);
+    CHECK(select_of(&cap->mesh, asked, 2, list, cap->triangles) == 0);
+}
+
+static void no_bump_far_away(const Cap *cap) {
+    fairmesh_error error;
+    fairmesh_result *chosen = NULL;
+    fairmesh_region_step asked;
+    memset(&asked, 0, sizeof asked);
+    asked.kind = FAIRMESH_REGION_KIND_BUMP;
+    asked.seed_kind = FAIRMESH_SEED_KIND_VERTEX;
+    asked.seed_vertex = 12 * WIDE + 12;
+    CHECK(fairmesh_select_region(&cap->mesh, &asked, 1, &chosen, &error) == FAIRMESH_STATUS_NO_BUMP);
+}
+
+static void regions(void) {
+    static uint32_t list[2 * WIDE * WIDE];
+    Cap cap = wide_sheet();
+    combined_regions(&cap, list);
+    bump_from_its_top(&cap, list);
+    grown_and_shrunk(&cap, list);
+    no_bump_far_away(&cap);
     cap_free(&cap);
 }
 
@@ -1188,103 +1435,124 @@ static double farthest(const double *a, const double *b, size_t numbers) {
     return most;
 }
 
-static void live(void) {
-    Cap cap = cap_new(21);
-    fairmesh_options options = quick();
-    fairmesh_solver *solver = NULL;
-    fairmesh_report report;
-    fairmesh_error error;
+/* A solver that is edited: its first surface, the one it has now, and the edits in force. */
+typedef struct {
+    Cap cap;
+    fairmesh_solver *solver;
     fairmesh_edit edits[2];
+    size_t numbers;
+    double *first, *now;
+    uint32_t *list;
+    fairmesh_points_out to;
+} Live;
+
+/* Finds the surface of the edits that are set: how far its farthest coordinate is from the first one's. */
+static double finished(Live *at) {
+    fairmesh_error error;
+    OK(fairmesh_solver_finish(at->solver, NULL, &error));
+    OK(fairmesh_solver_positions(at->solver, &at->to, &error));
+    return farthest(at->first, at->now, at->numbers);
+}
+
+/* Frames of few evaluations until one says that the surface is found; then the edits in force are all that count. */
+static void frames_of_a_tilt(Live *at) {
     fairmesh_budget limit;
     fairmesh_frame frame;
-    fairmesh_bulge_range range;
-    size_t numbers = 3 * cap.vertices, v, fixed = 0, frames = 0;
-    double *first = (double *)must(malloc(numbers * sizeof(double))), *now = (double *)must(malloc(numbers * sizeof(double)));
-    uint32_t *list = (uint32_t *)must(malloc(cap.vertices * sizeof(uint32_t)));
-    fairmesh_points_out to = points_out_of(first, cap.vertices);
-    options.tolerance = 1e-10;
-    memset(edits, 0, sizeof edits);
+    fairmesh_error error;
+    size_t frames = 0;
     memset(&limit, 0, sizeof limit);
-    report.struct_size = sizeof report;
-    frame.struct_size = sizeof frame;
-    range.struct_size = sizeof range;
     limit.struct_size = sizeof limit;
-    OK(fairmesh_solver_new(&cap.mesh, &cap.selection, &options, &solver, &error));
-    OK(fairmesh_solver_finish(solver, &report, &error));
-    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
-    OK(fairmesh_solver_positions(solver, &to, &error));
-    to.data = now;
-
-    /* Frames of few evaluations until one says that the surface is found. */
-    edits[0].kind = FAIRMESH_EDIT_KIND_TILT;
-    edits[0].vertex = on_boundary(&cap);
-    edits[0].amount = 0.1;
-    OK(fairmesh_solver_edit(solver, edits, 1, &error));
+    frame.struct_size = sizeof frame;
+    at->edits[0].kind = FAIRMESH_EDIT_KIND_TILT;
+    at->edits[0].vertex = on_boundary(&at->cap);
+    at->edits[0].amount = 0.1;
+    OK(fairmesh_solver_edit(at->solver, at->edits, 1, &error));
     limit.evaluations = 2;
     do {
-        OK(fairmesh_solver_update(solver, &limit, &frame, &error));
+        OK(fairmesh_solver_update(at->solver, &limit, &frame, &error));
         CHECK(frame.evaluations >= 1 && frame.evaluations <= 2 && ++frames < 100);
     } while (!frame.is_settled);
     CHECK(frame.step <= 1e-6 && frames > 1);
-    OK(fairmesh_solver_finish(solver, NULL, &error));
-    OK(fairmesh_solver_positions(solver, &to, &error));
-    CHECK(farthest(first, now, numbers) > 1e-3);
+    CHECK(finished(at) > 1e-3);
+    OK(fairmesh_solver_edit(at->solver, NULL, 0, &error));
+    CHECK(finished(at) < 1e-8);
+}
 
-    /* The edits in force are all that count. */
-    OK(fairmesh_solver_edit(solver, NULL, 0, &error));
-    OK(fairmesh_solver_finish(solver, NULL, &error));
-    OK(fairmesh_solver_positions(solver, &to, &error));
-    CHECK(farthest(first, now, numbers) < 1e-8);
-
-    /* With all that is fixed the surface moves as a whole. */
-    for (v = 0; v < cap.vertices; v++) {
-        if (!cap.free_mask[v]) list[fixed++] = (uint32_t)v;
+/* With all that is fixed the surface moves as a whole. */
+static void moved_as_a_whole(Live *at) {
+    fairmesh_frame frame;
+    fairmesh_error error;
+    size_t v, fixed = 0;
+    frame.struct_size = sizeof frame;
+    for (v = 0; v < at->cap.vertices; v++) {
+        if (!at->cap.free_mask[v]) at->list[fixed++] = (uint32_t)v;
     }
-    edits[0].kind = FAIRMESH_EDIT_KIND_MOVE;
-    edits[0].vertices.data = list;
-    edits[0].vertices.count = fixed;
-    edits[0].translation[1] = 0.5;
-    OK(fairmesh_solver_edit(solver, edits, 1, &error));
-    OK(fairmesh_solver_update(solver, NULL, &frame, &error));
+    at->edits[0].kind = FAIRMESH_EDIT_KIND_MOVE;
+    at->edits[0].vertices.data = at->list;
+    at->edits[0].vertices.count = fixed;
+    at->edits[0].translation[1] = 0.5;
+    OK(fairmesh_solver_edit(at->solver, at->edits, 1, &error));
+    OK(fairmesh_solver_update(at->solver, NULL, &frame, &error));
     CHECK(frame.is_settled);
-    OK(fairmesh_solver_finish(solver, NULL, &error));
-    OK(fairmesh_solver_positions(solver, &to, &error));
-    for (v = 0; v < cap.vertices; v++) now[3 * v + 1] -= 0.5;
-    CHECK(farthest(first, now, numbers) < 1e-8);
+    (void)finished(at);
+    for (v = 0; v < at->cap.vertices; v++) at->now[3 * v + 1] -= 0.5;
+    CHECK(farthest(at->first, at->now, at->numbers) < 1e-8);
+}
 
-    OK(fairmesh_solver_edit(solver, NULL, 0, &error));
-    OK(fairmesh_solver_bulge_range(solver, &range, &error));
+static void bulged(Live *at) {
+    fairmesh_bulge_range range;
+    fairmesh_report report;
+    fairmesh_error error;
+    range.struct_size = sizeof range;
+    report.struct_size = sizeof report;
+    OK(fairmesh_solver_edit(at->solver, NULL, 0, &error));
+    OK(fairmesh_solver_bulge_range(at->solver, &range, &error));
     CHECK(range.low < 0.0 && range.high > 0.0 && isfinite(range.low) && isfinite(range.high));
-    edits[0].kind = FAIRMESH_EDIT_KIND_BULGE;
-    edits[0].amount = 0.5 * range.high;
-    OK(fairmesh_solver_edit(solver, edits, 1, &error));
-    OK(fairmesh_solver_finish(solver, &report, &error));
+    at->edits[0].kind = FAIRMESH_EDIT_KIND_BULGE;
+    at->edits[0].amount = 0.5 * range.high;
+    OK(fairmesh_solver_edit(at->solver, at->edits, 1, &error));
+    OK(fairmesh_solver_finish(at->solver, &report, &error));
     CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
+}
 
-    /* What is refused changes nothing. */
+static void refused_edits(Live *at) {
+    fairmesh_edit *edits = at->edits;
+    uint32_t *list = at->list;
+    fairmesh_error error;
     edits[1].kind = 5;
-    CHECK(fairmesh_solver_edit(solver, edits, 2, &error) == FAIRMESH_STATUS_BAD_ENUM);
+    CHECK(fairmesh_solver_edit(at->solver, edits, 2, &error) == FAIRMESH_STATUS_BAD_ENUM);
     CHECK(error.element_kind == FAIRMESH_ELEMENT_ARGUMENT && error.element == 2);
     CHECK(error.other == sizeof *edits + offsetof(fairmesh_edit, kind));
     edits[1].kind = FAIRMESH_EDIT_KIND_TILT;
-    edits[1].vertex = (uint32_t)cap.vertices;
-    CHECK(fairmesh_solver_edit(solver, edits, 2, &error) == FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE);
-    CHECK(error.element_kind == FAIRMESH_ELEMENT_VERTEX && error.element == cap.vertices);
+    edits[1].vertex = (uint32_t)at->cap.vertices;
+    CHECK(fairmesh_solver_edit(at->solver, edits, 2, &error) == FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE);
+    CHECK(error.element_kind == FAIRMESH_ELEMENT_VERTEX && error.element == at->cap.vertices);
     edits[1].vertex = 0;
-    CHECK(fairmesh_solver_edit(solver, edits, 2, &error) == FAIRMESH_STATUS_NOT_ON_LOOP && error.element == 0);
-    edits[1].vertex = on_boundary(&cap);
+    CHECK(fairmesh_solver_edit(at->solver, edits, 2, &error) == FAIRMESH_STATUS_NOT_ON_LOOP && error.element == 0);
+    edits[1].vertex = on_boundary(&at->cap);
     edits[1].amount = NAN;
-    CHECK(fairmesh_solver_edit(solver, edits, 2, &error) == FAIRMESH_STATUS_BAD_EDIT);
+    CHECK(fairmesh_solver_edit(at->solver, edits, 2, &error) == FAIRMESH_STATUS_BAD_EDIT);
     edits[1].kind = FAIRMESH_EDIT_KIND_MOVE;
     edits[1].vertices.data = list;
     edits[1].vertices.count = 1;
-    for (list[0] = 0; !cap.free_mask[list[0]]; list[0]++) {}
-    CHECK(fairmesh_solver_edit(solver, edits, 2, &error) == FAIRMESH_STATUS_BAD_EDIT);
+    for (list[0] = 0; !at->cap.free_mask[list[0]]; list[0]++) {}
+    CHECK(fairmesh_solver_edit(at->solver, edits, 2, &error) == FAIRMESH_STATUS_BAD_EDIT);
     CHECK(error.element_kind == FAIRMESH_ELEMENT_VERTEX && error.element == list[0]);
     edits[1].vertices.data = (const uint32_t *)(const void *)&error;
-    CHECK(fairmesh_solver_edit(solver, edits, 2, &error) == FAIRMESH_STATUS_ALIASING);
-    CHECK(fairmesh_solver_edit(solver, NULL, 1, &error) == FAIRMESH_STATUS_NULL_POINTER);
-    CHECK(fairmesh_solver_edit(solver, edits, SIZE_MAX / 2, &error) == FAIRMESH_STATUS_COUNT_OVERFLOW && error.element == 3);
+    CHECK(fairmesh_solver_edit(at->solver, edits, 2, &error) == FAIRMESH_STATUS_ALIASING);
+    CHECK(fairmesh_solver_edit(at->solver, NULL, 1, &error) == FAIRMESH_STATUS_NULL_POINTER);
+    CHECK(fairmesh_solver_edit(at->solver, edits, SIZE_MAX / 2, &error) == FAIRMESH_STATUS_COUNT_OVERFLOW && error.element == 3);
+}
+
+/* After what is refused the surface is still found. */
+static void refused_budgets(fairmesh_solver *solver) {
+    fairmesh_budget limit;
+    fairmesh_frame frame;
+    fairmesh_error error;
+    memset(&limit, 0, sizeof limit);
+    limit.struct_size = sizeof limit;
+    limit.evaluations = 2;
+    frame.struct_size = sizeof frame;
     limit.reserved = 1;
     CHECK(fairmesh_solver_update(solver, &limit, &frame, &error) == FAIRMESH_STATUS_BAD_RESERVED);
     limit.reserved = 0;
@@ -1294,126 +1562,204 @@ static void live(void) {
     limit.seconds = 10.0;
     OK(fairmesh_solver_update(solver, &limit, &frame, &error));
     CHECK(frame.is_settled);
-
-    OK(fairmesh_solver_free(solver));
-    free(first);
-    free(now);
-    free(list);
-    cap_free(&cap);
 }
 
-/* Half of the way to a given mean curvature: by a list, or one number per vertex, as a float, with NaN where none is given. */
-static void continuity(void) {
-    Cap cap = cap_new(31);
+static void live(void) {
+    Live at;
     fairmesh_options options = quick();
-    fairmesh_result *result;
-    fairmesh_solver *solver;
-    fairmesh_component whole;
-    fairmesh_continuity loop, again;
-    fairmesh_boundary_curvature fitted_curvature;
+    fairmesh_report report;
     fairmesh_error error;
-    double half = 0.5;
-    uint32_t astray;
-    size_t size, v, bytes = 24 * cap.vertices;
-    uint32_t *boundary = (uint32_t *)must(malloc(cap.vertices * sizeof(uint32_t)));
-    double *given = (double *)must(malloc(cap.vertices * sizeof(double)));
-    float *all = (float *)must(malloc(cap.vertices * sizeof(float)));
-    double *by_list = (double *)must(malloc(bytes)), *by_vertex = (double *)must(malloc(bytes));
-    double *fitted = (double *)must(malloc(bytes));
-    fairmesh_points_out into = points_out_of(fitted, cap.vertices);
+    memset(&at, 0, sizeof at);
+    at.cap = cap_new(21);
+    at.numbers = 3 * at.cap.vertices;
+    at.first = (double *)must(malloc(at.numbers * sizeof(double)));
+    at.now = (double *)must(malloc(at.numbers * sizeof(double)));
+    at.list = (uint32_t *)must(malloc(at.cap.vertices * sizeof(uint32_t)));
+    at.to = points_out_of(at.first, at.cap.vertices);
+    options.tolerance = 1e-10;
+    report.struct_size = sizeof report;
+    OK(fairmesh_solver_new(&at.cap.mesh, &at.cap.selection, &options, &at.solver, &error));
+    OK(fairmesh_solver_finish(at.solver, &report, &error));
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
+    OK(fairmesh_solver_positions(at.solver, &at.to, &error));
+    at.to.data = at.now;
+    frames_of_a_tilt(&at);
+    moved_as_a_whole(&at);
+    bulged(&at);
+    refused_edits(&at);
+    refused_budgets(at.solver);
+    OK(fairmesh_solver_free(at.solver));
+    free(at.first);
+    free(at.now);
+    free(at.list);
+    cap_free(&at.cap);
+}
+
+/* A cap, what is asked at its boundary, and the surfaces that this gives. */
+typedef struct {
+    Cap cap;
+    fairmesh_options options;
+    size_t size, bytes;
+    uint32_t *boundary;
+    double *by_list, *by_vertex;
+    float *all;
+    fairmesh_continuity loop;
+} Continued;
+
+/* Half of the way to a given mean curvature by a list: another surface than by the fitted one. */
+static void curvature_by_list(Continued *at) {
+    const Cap *cap = &at->cap;
+    fairmesh_component whole;
+    fairmesh_continuity again;
+    fairmesh_result *result;
+    fairmesh_error error;
+    double *fitted = (double *)must(malloc(at->bytes)), *given = (double *)must(malloc(cap->vertices * sizeof(double)));
+    fairmesh_points_out into = points_out_of(fitted, cap->vertices);
+    size_t v;
     whole.struct_size = sizeof whole;
-    loop.struct_size = again.struct_size = sizeof loop;
-    CHECK(options.continuity == 0.0);
-    CHECK(options.boundary_curvature.kind == FAIRMESH_BOUNDARY_CURVATURE_KIND_ESTIMATED);
-    options.continuity = 0.5;
-    OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &into, NULL, &result, &error));
-    OK(fairmesh_result_list(result, FAIRMESH_LIST_BOUNDARY_VERTICES, 0, boundary, cap.vertices, &size, &error));
+    again.struct_size = sizeof again;
+    OK(fairmesh_fair(&cap->mesh, &cap->selection, &at->options, &into, NULL, &result, &error));
+    OK(fairmesh_result_list(result, FAIRMESH_LIST_BOUNDARY_VERTICES, 0, at->boundary, cap->vertices, &at->size, &error));
     OK(fairmesh_result_component(result, 0, 0, &whole, &error));
     CHECK(whole.continuity_count == 1);
     OK(fairmesh_result_free(result));
 
-    for (v = 0; v < cap.vertices; v++) all[v] = NAN;
-    for (v = 0; v < size; v++) given[v] = -1.25, all[boundary[v]] = -1.25f;
-    options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
-    options.boundary_curvature.values = numbers_of(given, size);
-    options.boundary_curvature.vertices.data = boundary;
-    options.boundary_curvature.vertices.count = size;
-    into.data = by_list;
-    OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &into, NULL, &result, &error));
-    CHECK(memcmp(by_list, fitted, bytes) != 0);
-    OK(fairmesh_result_continuity(result, 0, 0, 0, &loop, &error));
-    CHECK(loop.struct_size == sizeof loop && loop.reserved == 0);
-    CHECK(loop.vertex == boundary[0] && loop.vertex_count == size);
-    CHECK(fabs(loop.curvature - 1.25) < 1e-9 && loop.uncertainty >= 0.0);
-    CHECK(loop.reached > 0.0 && loop.reached <= 0.5 && loop.jump < loop.jump_before);
-    CHECK(loop.largest_jump_before >= loop.jump_before && loop.largest_jump >= loop.jump);
+    for (v = 0; v < at->size; v++) given[v] = -1.25;
+    at->options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
+    at->options.boundary_curvature.values = numbers_of(given, at->size);
+    at->options.boundary_curvature.vertices.data = at->boundary;
+    at->options.boundary_curvature.vertices.count = at->size;
+    into.data = at->by_list;
+    OK(fairmesh_fair(&cap->mesh, &cap->selection, &at->options, &into, NULL, &result, &error));
+    CHECK(memcmp(at->by_list, fitted, at->bytes) != 0);
+    OK(fairmesh_result_continuity(result, 0, 0, 0, &at->loop, &error));
+    CHECK(at->loop.struct_size == sizeof at->loop && at->loop.reserved == 0);
+    CHECK(at->loop.vertex == at->boundary[0] && at->loop.vertex_count == at->size);
+    CHECK(fabs(at->loop.curvature - 1.25) < 1e-9 && at->loop.uncertainty >= 0.0);
+    CHECK(at->loop.reached > 0.0 && at->loop.reached <= 0.5 && at->loop.jump < at->loop.jump_before);
+    CHECK(at->loop.largest_jump_before >= at->loop.jump_before && at->loop.largest_jump >= at->loop.jump);
     CHECK(fairmesh_result_continuity(result, 0, 0, 1, &again, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     CHECK(fairmesh_result_continuity(result, 0, 1, 0, &again, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     CHECK(fairmesh_result_continuity(result, 1, 0, 0, &again, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     OK(fairmesh_result_free(result));
+    free(fitted);
+    free(given);
+}
 
-    memset(&options.boundary_curvature, 0, sizeof options.boundary_curvature);
-    options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
-    options.boundary_curvature.values.data = all;
-    options.boundary_curvature.values.count = cap.vertices;
-    options.boundary_curvature.values.scalar = FAIRMESH_SCALAR_FLOAT32;
-    into.data = by_vertex;
-    OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &into, NULL, NULL, &error));
-    CHECK(memcmp(by_list, by_vertex, bytes) == 0);
+/* One number per vertex, as a float, with NaN where none is given; the solver that is returned finds the same. */
+static fairmesh_solver *curvature_by_vertex(Continued *at) {
+    const Cap *cap = &at->cap;
+    fairmesh_boundary_curvature *curvature = &at->options.boundary_curvature;
+    fairmesh_component whole;
+    fairmesh_continuity again;
+    fairmesh_solver *solver;
+    fairmesh_error error;
+    fairmesh_points_out into = points_out_of(at->by_vertex, cap->vertices);
+    size_t v;
+    whole.struct_size = sizeof whole;
+    again.struct_size = sizeof again;
+    for (v = 0; v < cap->vertices; v++) at->all[v] = NAN;
+    for (v = 0; v < at->size; v++) at->all[at->boundary[v]] = -1.25f;
+    memset(curvature, 0, sizeof *curvature);
+    curvature->kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
+    curvature->values.data = at->all;
+    curvature->values.count = cap->vertices;
+    curvature->values.scalar = FAIRMESH_SCALAR_FLOAT32;
+    OK(fairmesh_fair(&cap->mesh, &cap->selection, &at->options, &into, NULL, NULL, &error));
+    CHECK(memcmp(at->by_list, at->by_vertex, at->bytes) == 0);
 
-    OK(fairmesh_solver_new(&cap.mesh, &cap.selection, &options, &solver, &error));
+    OK(fairmesh_solver_new(&cap->mesh, &cap->selection, &at->options, &solver, &error));
     CHECK(fairmesh_solver_continuity(solver, 0, 0, &again, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     OK(fairmesh_solver_run(solver, UINT64_MAX, NULL, &error));
     OK(fairmesh_solver_component(solver, 0, &whole, &error));
     CHECK(whole.continuity_count == 1);
     OK(fairmesh_solver_continuity(solver, 0, 0, &again, &error));
-    CHECK(memcmp(&again, &loop, sizeof loop) == 0);
+    CHECK(memcmp(&again, &at->loop, sizeof again) == 0);
     CHECK(fairmesh_solver_continuity(solver, 0, 1, &again, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     CHECK(fairmesh_solver_continuity(solver, 1, 0, &again, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
-    /* Tangent planes alone, then half of the way for the loop alone. */
+    return solver;
+}
+
+/* Tangent planes alone, then half of the way for the loop alone, by one of its vertices, then to the fitted curvature. */
+static void continuity_of_solver(const Continued *at, fairmesh_solver *solver) {
+    fairmesh_component whole;
+    fairmesh_continuity again;
+    fairmesh_loop_continuity one = at->options.loop_continuity;
+    fairmesh_boundary_curvature fitted;
+    fairmesh_error error;
+    double half = 0.5;
+    whole.struct_size = sizeof whole;
+    again.struct_size = sizeof again;
     OK(fairmesh_solver_set_continuity(solver, 0.0, NULL, &error));
     OK(fairmesh_solver_run(solver, UINT64_MAX, NULL, &error));
     OK(fairmesh_solver_component(solver, 0, &whole, &error));
     CHECK(whole.continuity_count == 0);
-    options.loop_continuity.values = numbers_of(&half, 1);
-    options.loop_continuity.vertices.data = boundary + 3;
-    options.loop_continuity.vertices.count = 1;
-    OK(fairmesh_solver_set_continuity(solver, 0.0, &options.loop_continuity, &error));
+    one.values = numbers_of(&half, 1);
+    OK(fairmesh_solver_set_continuity(solver, 0.0, &one, &error));
     OK(fairmesh_solver_run(solver, UINT64_MAX, NULL, &error));
     OK(fairmesh_solver_continuity(solver, 0, 0, &again, &error));
-    CHECK(fabs(again.reached - loop.reached) < 1e-4 && fabs(again.jump - loop.jump) < 1e-4);
+    CHECK(fabs(again.reached - at->loop.reached) < 1e-4 && fabs(again.jump - at->loop.jump) < 1e-4);
     CHECK(fairmesh_solver_set_continuity(solver, 1.5, NULL, &error) == FAIRMESH_STATUS_BAD_OPTION);
     CHECK(error.element_kind == FAIRMESH_ELEMENT_ARGUMENT && error.element == 2);
     half = 1.5;
-    CHECK(fairmesh_solver_set_continuity(solver, 0.0, &options.loop_continuity, &error) == FAIRMESH_STATUS_BAD_OPTION);
-    CHECK(error.element_kind == FAIRMESH_ELEMENT_VERTEX && error.element == boundary[3]);
-    half = 0.5;
-    memset(&fitted_curvature, 0, sizeof fitted_curvature);
-    OK(fairmesh_solver_set_boundary_curvature(solver, &fitted_curvature, &error));
+    CHECK(fairmesh_solver_set_continuity(solver, 0.0, &one, &error) == FAIRMESH_STATUS_BAD_OPTION);
+    CHECK(error.element_kind == FAIRMESH_ELEMENT_VERTEX && error.element == at->boundary[3]);
+    memset(&fitted, 0, sizeof fitted);
+    OK(fairmesh_solver_set_boundary_curvature(solver, &fitted, &error));
     OK(fairmesh_solver_run(solver, UINT64_MAX, NULL, &error));
     OK(fairmesh_solver_continuity(solver, 0, 0, &again, &error));
     CHECK(fabs(again.curvature - 1.25) > 1e-3);
-    OK(fairmesh_solver_free(solver));
-    into.data = by_list;
-    options.continuity = 0.0;
-    OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &into, NULL, NULL, &error));
-    CHECK(memcmp(by_list, by_vertex, bytes) == 0);
-    astray = (uint32_t)cap.vertices;
-    options.loop_continuity.vertices.data = &astray;
-    CHECK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &into, NULL, NULL, &error) ==
+}
+
+/* The same in one call, and vertices that name no loop. */
+static void continuity_of_loop(Continued *at) {
+    const Cap *cap = &at->cap;
+    fairmesh_options *options = &at->options;
+    fairmesh_points_out into = points_out_of(at->by_list, cap->vertices);
+    fairmesh_error error;
+    uint32_t astray = (uint32_t)cap->vertices;
+    options->continuity = 0.0;
+    OK(fairmesh_fair(&cap->mesh, &cap->selection, options, &into, NULL, NULL, &error));
+    CHECK(memcmp(at->by_list, at->by_vertex, at->bytes) == 0);
+    options->loop_continuity.vertices.data = &astray;
+    CHECK(fairmesh_fair(&cap->mesh, &cap->selection, options, &into, NULL, NULL, &error) ==
           FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE);
     astray = 0;
-    CHECK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &into, NULL, NULL, &error) == FAIRMESH_STATUS_NOT_ON_LOOP);
+    CHECK(fairmesh_fair(&cap->mesh, &cap->selection, options, &into, NULL, NULL, &error) == FAIRMESH_STATUS_NOT_ON_LOOP);
     CHECK(error.element_kind == FAIRMESH_ELEMENT_VERTEX && error.element == 0);
-    options.loop_continuity.values.count = 2;
-    CHECK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &into, NULL, NULL, &error) == FAIRMESH_STATUS_COUNT_MISMATCH);
-    free(boundary);
-    free(given);
-    free(all);
-    free(by_list);
-    free(by_vertex);
-    free(fitted);
-    cap_free(&cap);
+    options->loop_continuity.values.count = 2;
+    CHECK(fairmesh_fair(&cap->mesh, &cap->selection, options, &into, NULL, NULL, &error) == FAIRMESH_STATUS_COUNT_MISMATCH);
+}
+
+static void continuity(void) {
+    Continued at;
+    fairmesh_solver *solver;
+    const double half = 0.5;
+    memset(&at, 0, sizeof at);
+    at.cap = cap_new(31);
+    at.options = quick();
+    at.bytes = 24 * at.cap.vertices;
+    at.boundary = (uint32_t *)must(malloc(at.cap.vertices * sizeof(uint32_t)));
+    at.all = (float *)must(malloc(at.cap.vertices * sizeof(float)));
+    at.by_list = (double *)must(malloc(at.bytes));
+    at.by_vertex = (double *)must(malloc(at.bytes));
+    at.loop.struct_size = sizeof at.loop;
+    CHECK(at.options.continuity == 0.0);
+    CHECK(at.options.boundary_curvature.kind == FAIRMESH_BOUNDARY_CURVATURE_KIND_ESTIMATED);
+    at.options.continuity = 0.5;
+    curvature_by_list(&at);
+    solver = curvature_by_vertex(&at);
+    at.options.loop_continuity.values = numbers_of(&half, 1);
+    at.options.loop_continuity.vertices.data = at.boundary + 3;
+    at.options.loop_continuity.vertices.count = 1;
+    continuity_of_solver(&at, solver);
+    OK(fairmesh_solver_free(solver));
+    continuity_of_loop(&at);
+    free(at.boundary);
+    free(at.all);
+    free(at.by_list);
+    free(at.by_vertex);
+    cap_free(&at.cap);
 }
 
 int main(void) {
@@ -1424,6 +1770,7 @@ int main(void) {
     live();
     continuity();
     holes();
+    remeshing();
     joins();
     bridges();
     erasing();
