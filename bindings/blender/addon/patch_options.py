@@ -72,7 +72,7 @@ class RimOptions:
     )
 
     def rim_keywords(self):
-        """The same for the library, by the size of what a length in the scene is in the mesh. The properties are read now."""
+        """The same for the library, by the size of the mesh in the scene. The properties are read now."""
         rings, within = self.relax_rim, self.relax_within
 
         def keywords(size):
