@@ -19,7 +19,8 @@ const char FAIR[] =
     "surroundings (G<sup>1</sup>), or given normals.<br>";
 
 const char CLOSE[] =
-    "<b>Fills holes and joins loops with a surface that continues the faces around, exactly smooth.</b> A piece that was cut out of a sphere is put back. "
+    "<b>Fills holes and joins loops with a surface that continues the faces around, exactly smooth.</b> A piece that was cut out of a "
+    "sphere is put back. "
     "All holes are closed, or those of a size or at the selection.<br><br>"
     "New triangles are as large as those beside the hole. New vertices get colours, quality, texture coordinates and attributes "
     "interpolated from the boundary. Old vertices and faces stay as they are, unless a rough boundary may move or is trimmed.<br><br>"
@@ -31,10 +32,10 @@ const char ERASE[] =
     "use.<br><br>"
     "Faces that would hang loose at the rest go, too. Where the hole would stay open, nothing is changed.<br>";
 
-const char BRIDGE[] =
-    "<b>Joins two selected stretches of boundary by a strip, exactly smooth.</b> Select the vertices or the faces there: on two sides of a hole, "
-    "which it divides, or on two parts.<br><br>"
-    "It goes on smoothly from both. Its free sides are curves; 'Fill the rest' closes the holes beside it, too.<br>";
+const char BRIDGE[] = "<b>Joins two selected stretches of boundary by a strip, exactly smooth.</b> Select the vertices or the faces there: "
+                      "on two sides of a hole, "
+                      "which it divides, or on two parts.<br><br>"
+                      "It goes on smoothly from both. Its free sides are curves; 'Fill the rest' closes the holes beside it, too.<br>";
 
 const char CURVATURE[] =
     "<b>Writes how much the surface is curved at every vertex to its quality.</b> To see it, apply 'Colorize by vertex quality'.<br><br>"
