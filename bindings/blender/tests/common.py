@@ -82,6 +82,11 @@ def uv_sphere(segments, rings):
     return _on_sphere(bpy.context.object)
 
 
+def geodesic_sphere(frequency):
+    """A geodesic sphere of 10 frequency^2 + 2 vertices: triangles nearly alike, other than at the poles of a UV sphere."""
+    return _on_sphere(add("geodesic", *geodesic(frequency)))
+
+
 def irregular_sphere(frequency, seed=1):
     """A geodesic sphere of 10 frequency^2 + 2 vertices, a sixth of its edges turned, then shaken by a sixth of an edge."""
     random = np.random.default_rng(seed)

@@ -101,7 +101,7 @@ def labels_fit():
 
 def seen():
     """The sidebar, the progress, the result, one step of undo and redo."""
-    obj, free = scene(lambda: common.uv_sphere(300, 150))
+    obj, free = scene(lambda: common.geodesic_sphere(60))
     name = obj.name
     yield 2.0
     # The tab of the add-on: the last one of the sidebar.
