@@ -821,6 +821,7 @@ class Refused(Case):
 
 
 class Outcomes(Case):
+    @unless_old
     def test_normals_that_no_surface_has_end_as_not_converged(self):
         ms, _ = dented_sphere()
         mesh = ms.current_mesh()
