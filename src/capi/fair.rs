@@ -23,7 +23,7 @@ use fairmesh::{mean_curvature_joined, self_intersections};
 /// `selection` may be NULL: all vertices that are not on the boundary of the mesh are free. `options` may be NULL: the
 /// defaults. `positions_out` gets all vertices, as many as the mesh has; it may be the mesh's own positions (same address,
 /// stride and scalar), then only free vertices are written. `report` may be NULL. `result`, which may be NULL, gets a handle with
-/// everything else that was found; free it. `positions_out` may be NULL.
+/// everything else that was found; free it. `positions_out` may be NULL; where it has floats, the output precision is single.
 ///
 /// The outcome in the report says how it ended; the positions are usable in every case.
 #[unsafe(no_mangle)]

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use fairmesh::{
-    BridgeOptions, FillOptions, OptionDefault, OptionEntry, OptionKind, Options, PaperOptions, RemeshOptions,
-    Rim,
+    BridgeOptions, Estimate, FillOptions, OptionDefault, OptionEntry, OptionKind, Options, PaperOptions,
+    RemeshOptions, Rim,
 };
 
 use crate::tables::variant;
@@ -40,7 +40,33 @@ pub struct OptionStruct {
 }
 
 /// What the library has in another form: by values of its own.
-const BY_HAND: [&str; 2] = ["solver", "paper_estimate"];
+const BY_HAND: [&str; 3] = ["solver", ESTIMATE, ESTIMATE_ITERATIONS];
+const ESTIMATE: &str = "paper_estimate";
+const ESTIMATE_ITERATIONS: &str = "paper_estimate_iterations";
+
+/// The schema of the paper's options, with the iterations of the estimate, which in the library are a part of its value.
+pub fn paper() -> Vec<OptionEntry> {
+    let (Estimate::Alternating { iterations }
+    | Estimate::GaussSeidel { sweeps: iterations }
+    | Estimate::ConjugateGradients { iterations }) = PaperOptions::default().estimate;
+    let mut entries = PaperOptions::schema();
+    let at = entries
+        .iter()
+        .position(|entry| entry.name == ESTIMATE)
+        .expect("an estimate");
+    entries.insert(
+        at + 1,
+        OptionEntry {
+            name: ESTIMATE_ITERATIONS,
+            field: "estimate",
+            text: format!("Iterations of the estimate. Default {iterations}. At least 1."),
+            kind: OptionKind::SmallCount("iterations"),
+            range: "at least 1",
+            default: OptionDefault::Number(iterations as f64),
+        },
+    );
+    entries
+}
 
 /// All of them.
 pub fn all() -> [OptionStruct; 4] {
@@ -48,17 +74,8 @@ pub fn all() -> [OptionStruct; 4] {
         OptionStruct {
             name: "fairmesh_options",
             text: "What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.",
-            parts: vec![
-                ("Options", Options::schema()),
-                ("PaperOptions", PaperOptions::schema()),
-            ],
+            parts: vec![("Options", Options::schema()), ("PaperOptions", paper())],
             besides: &[
-                [
-                    "paper_estimate_iterations",
-                    "u32",
-                    "Iterations of the estimate. Default 10. At least 1.",
-                    "10",
-                ],
                 [
                     "progress",
                     "fairmesh_progress_fn",

@@ -3,10 +3,10 @@
 use std::fmt::Write;
 
 use fairmesh::{
-    BridgeOptions, FillOptions, OptionDefault, OptionEntry, OptionKind, Options, PaperOptions, RemeshOptions,
-    Rim,
+    BridgeOptions, FillOptions, OptionDefault, OptionEntry, OptionKind, Options, RemeshOptions, Rim,
 };
 
+use crate::options::paper;
 use crate::tables;
 
 const HEAD: &str = r#""""The options of all functions, with their defaults.
@@ -62,7 +62,7 @@ const FORMS: [[&str; 4]; 6] = [
 
 /// The text of `_schema.py`.
 pub fn options() -> String {
-    let fairing = [fields(&Options::schema()), fields(&PaperOptions::schema())].concat();
+    let fairing = [fields(&Options::schema()), fields(&paper())].concat();
     let (rows, patches): (Vec<_>, Vec<_>) = fields(&FillOptions::schema())
         .into_iter()
         .partition(|field| matches!(field.kind, OptionKind::Indices(_)));
@@ -142,20 +142,7 @@ fn fields(schema: &[OptionEntry]) -> Vec<Field> {
         _ => true,
     };
     let own = schema.iter().filter(is_formed);
-    let mut fields: Vec<Field> = own.map(field).collect();
-    // The iterations of an estimate are a part of its value in the library.
-    if let Some(at) = fields.iter().position(|field| field.name == "paper_estimate") {
-        let iterations = Field {
-            name: "paper_estimate_iterations",
-            kind: OptionKind::SmallCount("iterations"),
-            of: "int".to_owned(),
-            default: "10".to_owned(),
-            text: "Iterations of the estimate. Default 10. At least 1.".to_owned(),
-            how: "count 32".to_owned(),
-        };
-        fields.insert(at + 1, iterations);
-    }
-    fields
+    own.map(field).collect()
 }
 
 fn field(entry: &OptionEntry) -> Field {

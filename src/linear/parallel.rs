@@ -55,6 +55,7 @@ pub fn map_each<R: Send>(count: usize, piece: usize, work: impl Fn(usize) -> R +
 }
 
 /// Cheap items that a thread takes at once: enough that handing them out costs nothing beside them.
+/// Half or double, of 131 cases: none changes.
 pub const RUN: usize = 4096;
 
 /// Ranges of `0..count`, `length` numbers each and what is left in the last.

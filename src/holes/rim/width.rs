@@ -17,6 +17,7 @@ pub(super) const REACH: usize = 42;
 /// Half or double, of 5 cases: none changes.
 pub(super) const SAMPLES: usize = 256;
 /// Noise below this, in edges, is none: it has not folded anything.
+/// Half or double, of 3 cases: none changes.
 pub(super) const CLEAN: f64 = 0.02;
 /// The sphere of a fit is hardly smaller than its window, on average.
 /// Of 5 cases, half: 4 change by up to 0.9 edges, 2 get another triangulation, +9 % iterations;
