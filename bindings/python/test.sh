@@ -64,7 +64,8 @@ for python in "$bin/python" "$target/python/numpy1/bin/python"; do
     "$python" -m pip --disable-pip-version-check install -q --force-reinstall --no-deps "$wheel"
 done
 
-export FAIRMESH_TEST_WHEEL=$wheel FAIRMESH_TEST_HOOKS=$hooks
+(cd "$root" && cargo build --release --locked --quiet)
+export FAIRMESH_TEST_WHEEL=$wheel FAIRMESH_TEST_PROGRAM=$target/release/fairmesh FAIRMESH_TEST_HOOKS=$hooks
 if [ "${1:-}" = long ]; then
     FAIRMESH_TEST_LONG=1 "$bin/python" -m pytest tests/test_gallery.py
     exit
