@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import fairmesh
-from fairmesh import _abi, _keywords, _schema
+from fairmesh import _abi, _schema
 
 INCLUDE = Path(__file__).resolve().parents[3] / "include"
 HEADER = re.sub(r"/\*.*?\*/", "", (INCLUDE / "fairmesh.h").read_text(), flags=re.S)
@@ -132,17 +132,3 @@ def test_signatures_show_the_options_with_their_types_and_defaults():
         function = getattr(fairmesh, name)
         if inspect.isfunction(function):
             assert not any(p.kind is p.VAR_KEYWORD for p in inspect.signature(function).parameters.values()), name
-
-
-def test_keywords_for_type_checkers_are_those_of_the_functions():
-    pairs = {
-        fairmesh.fair: _keywords.FairKeywords,
-        fairmesh.fill_holes: _keywords.FillKeywords,
-        fairmesh.bridge: _keywords.BridgeKeywords,
-        fairmesh.remesh: _keywords.RemeshKeywords,
-        fairmesh.refill: _keywords.RefillKeywords,
-        fairmesh.Solver.__init__: _keywords.FairKeywords,
-    }
-    for function, keywords in pairs.items():
-        shown = inspect.signature(function).parameters.values()
-        assert set(keywords.__annotations__) == {p.name for p in shown if p.kind is p.KEYWORD_ONLY}, function

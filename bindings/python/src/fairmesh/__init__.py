@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from . import _abi
 from ._bridge import Bridged, bridge
-from ._choice import LoopChoice
 from ._curvature import mean_curvature
 from ._edits import Bulge, Frame, Move, Tilt, Twist
 from ._enums import AttemptEnd, FillOutcome, FillReason, LoopKind, LooseReason, Outcome, Status
@@ -14,6 +13,7 @@ from ._fairing import Result, Solver, fair
 from ._holes import Filled, Loop, LoopReport, Roughness, boundary_loops, fill_holes
 from ._intersections import self_intersections
 from ._joins import JoinSuggestion, components, suggest_joins
+from ._keywords import LoopChoice
 from ._library import LibraryError, load, version
 from ._options import default_fill_options, default_options, default_remesh_options
 from ._progress import Monitor, Progress

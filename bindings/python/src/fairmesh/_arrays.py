@@ -228,6 +228,11 @@ def numbers_view(array: Floats) -> _abi.fairmesh_numbers:
     return _abi.fairmesh_numbers(_address(array), len(array), _stride(array), _SCALARS[array.dtype], 0)
 
 
+def list_view(array: UInt32 | None) -> _abi.fairmesh_indices | None:
+    """The library's view of what `indices` returned, if there is a list. The array has to live as long."""
+    return None if array is None else indices_view(array)
+
+
 def indices_view(array: UInt32) -> _abi.fairmesh_indices:
     """The library's view of what `triangles` or `indices` returned. The array has to live as long."""
     return _abi.fairmesh_indices(_address(array), len(array), _stride(array))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, overload
 
@@ -10,19 +9,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
-from ._handles import ResultHandle, result_of
+from ._calls import of_mesh
+from ._handles import ResultHandle
 from ._holes import LoopReport, NewMesh
 from ._hosts import Arrays, M
-from ._library import load
-from ._options import Options, initial, set_options, with_bridge_options
-from ._progress import Event, ProgressCallback, Relay
+from ._keywords import BridgeKeywords
+from ._options import options_of
 from ._reports import Report, sized
+from ._runs import Run
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
-
-    from ._keywords import BridgeKeywords
-    from ._schema import BridgeOptions
 
 _lists = _abi.fairmesh_list
 
@@ -33,7 +30,7 @@ class Bridged(NewMesh[M]):
     def __init__(self, handle: ResultHandle, mesh: _arrays.Mesh) -> None:
         super().__init__(handle, mesh)
         told = sized(_abi.fairmesh_bridge_report)
-        handle.read("fairmesh_result_bridge", ctypes.byref(told))
+        handle.read("fairmesh_result_bridge", told)
         #: Whether there is nothing to be said of it: what was to be faired converged, and no hole that was to be filled
         #: is open.
         self.is_clean = bool(told.is_clean)
@@ -68,18 +65,8 @@ def bridge(mesh: M, /, start: ArrayLike, end: ArrayLike, **keywords: Unpack[Brid
 def bridge(
     vertices: ArrayLike, faces: ArrayLike, start: ArrayLike, end: ArrayLike, **keywords: Unpack[BridgeKeywords]
 ) -> Bridged[Arrays]: ...
-@with_bridge_options
-def bridge(
-    vertices: Any,
-    faces: Any,
-    start: ArrayLike,
-    end: ArrayLike,
-    *,
-    coincident: _arrays.Coincident | None = "join",
-    progress: ProgressCallback | None = None,
-    cancel: Event | None = None,
-    **options: Unpack[BridgeOptions],
-) -> Bridged[Any]:
+@of_mesh(BridgeKeywords)
+def bridge(mesh: _arrays.Mesh, start: ArrayLike, end: ArrayLike, **keywords: Unpack[BridgeKeywords]) -> Bridged[Any]:
     """Connects two runs of boundary edges by a strip that is tangent to the mesh at both, and faired.
 
     On one loop the strip divides the hole, on two it joins the parts. Where their ends face opposite ways none is made:
@@ -96,25 +83,9 @@ def bridge(
         InputError and the others of `fair`.
 
     """
-    library = load()
-    mesh = _arrays.Mesh(vertices, faces, coincident)
-    how = initial(library, "fairmesh_bridge_options_init", _abi.fairmesh_bridge_options)
-    set_options(how, options)
-    filling = initial(library, "fairmesh_fill_options_init", _abi.fairmesh_fill_options)
-    set_options(filling, options)
+    how = options_of(_abi.fairmesh_bridge_options, keywords)
+    filling = options_of(_abi.fairmesh_fill_options, keywords)
     ends = [_arrays.indices(start, "start"), _arrays.indices(end, "end")]
-    asked = Options(library, mesh.vertices, options)
-    relay = Relay(progress, cancel)
-    relay.install(asked.struct)
-    with relay:
-        handle = result_of(
-            library,
-            "fairmesh_bridge",
-            ctypes.byref(mesh.struct),
-            ctypes.byref(_arrays.indices_view(ends[0])),
-            ctypes.byref(_arrays.indices_view(ends[1])),
-            ctypes.byref(how),
-            ctypes.byref(filling),
-            ctypes.byref(asked.struct),
-        )
+    run = Run(mesh, keywords)
+    handle = run.result("fairmesh_bridge", *map(_arrays.indices_view, ends), how, filling, run.options)
     return Bridged(handle, mesh)

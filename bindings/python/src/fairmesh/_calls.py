@@ -5,11 +5,14 @@ from __future__ import annotations
 import difflib
 import functools
 import inspect
-import sys
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Literal, get_args, get_origin
 
+from ._arrays import Mesh
 from ._hosts import Host, host_of
+from ._keywords import DEFAULTS, MeshKeywords
+
+_KEYWORD = inspect.Parameter.KEYWORD_ONLY
 
 #: What other packages call it.
 _SYNONYMS = {
@@ -64,12 +67,10 @@ class Shown:
         return self._text
 
 
-def of_mesh(
-    options: type | None = None, defaults: Mapping[str, Any] | None = None
-) -> Callable[[Callable[..., Any]], Any]:
-    """Lets a function of ``(vertices, faces, ...)`` take a mesh object in place of these two.
+def of_mesh(keywords: type | None = MeshKeywords) -> Callable[[Callable[..., Any]], Any]:
+    """Makes of a function of a `Mesh` one that takes a mesh object, or vertices and faces.
 
-    ``options`` is the typed dictionary of the keywords that it takes besides those it names. All are in the signature
+    ``keywords`` is the typed dictionary of the keywords that it takes besides those it names. All are in the signature
     that ``help`` shows, and what is none of them is refused with what may have been meant. For type checkers the
     function's overloads say what it takes.
     """
@@ -80,26 +81,26 @@ def of_mesh(
         first = 1 if given[0].name == "self" else 0
         where = function.__globals__
         shown = [_shown(each, where) for each in given if each.kind is not inspect.Parameter.VAR_KEYWORD]
-        if options is not None:
-            where = vars(sys.modules[options.__module__])
-            for name, annotation in options.__annotations__.items():
-                default = (defaults or {}).get(name)
-                text = getattr(annotation, "__forward_arg__", annotation)
-                made = inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=text)
-                shown.append(_shown(made, where))
-        names = [each.name for each in shown[first:]]
+        for name, annotation in (keywords.__annotations__ if keywords else {}).items():
+            text = getattr(annotation, "__forward_arg__", annotation)
+            made = inspect.Parameter(name, _KEYWORD, default=DEFAULTS.get(name), annotation=text)
+            shown.append(_shown(made, where))
+        names = [each.name for each in shown[first + 1 :]]
 
         @functools.wraps(function)
         def taking(*given: Any, **named: Any) -> Any:
-            unknown = sorted(set(named) - {*names, "mesh"})
+            unknown = sorted(set(named) - {*names, "mesh", "vertices", "faces"})
             if unknown:
                 raise TypeError(f"unknown option {unknown[0]!r}{did_you_mean(unknown[0], names)}")
-            return function(*_with_host(list(given), named, first), **named)
+            positional = _with_host(list(given), named, first)
+            coincident = named.pop("coincident", None) if "coincident" in names else None
+            positional[first : first + 2] = [Mesh(positional[first], positional[first + 1], coincident)]
+            return function(*positional, **named)
 
-        mesh = shown[first].replace(name="mesh", annotation=Shown("MeshLike | (vertices, faces)"))
         returned = signature.return_annotation
+        mesh = shown[first].replace(annotation=Shown("MeshLike | (vertices, faces)"))
         taking.__signature__ = signature.replace(  # type: ignore[attr-defined]
-            parameters=[*shown[:first], mesh, *shown[first + 2 :]],
+            parameters=[*shown[:first], mesh, *shown[first + 1 :]],
             return_annotation=Shown(returned) if isinstance(returned, str) else returned,
         )
         return taking
@@ -124,9 +125,9 @@ def _shown(parameter: inspect.Parameter, where: Mapping[str, Any]) -> inspect.Pa
 
 def _with_host(given: list[Any], named: dict[str, Any], first: int) -> list[Any]:
     """The arguments with a host, or with two arrays, in the first two places."""
+    if (len(given) > first) + ("mesh" in named) + ("vertices" in named) > 1:
+        raise TypeError("the mesh is given twice")
     if "mesh" in named:
-        if len(given) > first or "vertices" in named:
-            raise TypeError("the mesh is given twice")
         given.append(named.pop("mesh"))
     if len(given) > first:
         mesh = given[first]

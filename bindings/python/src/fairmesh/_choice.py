@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Literal, TypedDict, Union
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,44 +11,14 @@ from . import _abi, _arrays
 from ._options import initial, real, whole
 
 if TYPE_CHECKING:
-    from ._library import Library
-
-#: "none", "auto", or groups of loops.
-Join = Union[Literal["none", "auto"], Sequence[ArrayLike]]
-#: A ball (centre, radius), or a box (lowest corner, highest corner).
-Place = tuple[ArrayLike, ArrayLike]
-
-
-class LoopChoice(TypedDict, total=False):
-    """Which holes are filled, or looked at: those that meet every bound. None is no bound.
-
-    Keywords:
-        loops: These loops only, as `boundary_loops` numbers them, outer boundaries included; what follows is not read
-            then. "all": all holes. Default: all holes; with groups in ``join``, none but these.
-        max_edges: Of at most this many edges.
-        max_length: Not longer than this.
-        max_area: Of no more than this `Loop.area`.
-        max_diagonal: With a bounding box of no more than this diagonal.
-        except_longest: All but so many holes of the mesh, the longest. Default 0.
-        of_components: Only those of these components, as `components` numbers them.
-        within: Only those whose vertices all lie in a ball ``(centre, radius)`` or a box ``(low, high)``, two corners.
-    """
-
-    loops: ArrayLike | Literal["all"] | None
-    max_edges: int | None
-    max_length: float | None
-    max_area: float | None
-    max_diagonal: float | None
-    except_longest: int | None
-    of_components: ArrayLike | None
-    within: Place | None
+    from ._keywords import Join, LoopChoice, Place
 
 
 class Choice:
     """The library's options of hole filling, as far as they say which loops. Keeps the lists alive."""
 
-    def __init__(self, library: Library, given: LoopChoice, join: Join | None = None) -> None:
-        self.struct = initial(library, "fairmesh_fill_options_init", _abi.fairmesh_fill_options)
+    def __init__(self, given: LoopChoice, join: Join | None = None) -> None:
+        self.struct = initial(_abi.fairmesh_fill_options)
         self._alive: list[NDArray[Any]] = []
         self._join(join)
         self._listed(given.get("loops"))

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import ctypes
-from typing import Any, overload
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,17 +13,18 @@ from ._errors import call
 from ._hosts import MeshLike
 from ._library import load
 
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._keywords import MeshKeywords
+
 
 @overload
-def mean_curvature(mesh: MeshLike, /, *, coincident: _arrays.Coincident | None = ...) -> NDArray[np.float64]: ...
+def mean_curvature(mesh: MeshLike, /, **keywords: Unpack[MeshKeywords]) -> NDArray[np.float64]: ...
 @overload
-def mean_curvature(
-    vertices: ArrayLike, faces: ArrayLike, *, coincident: _arrays.Coincident | None = ...
-) -> NDArray[np.float64]: ...
+def mean_curvature(vertices: ArrayLike, faces: ArrayLike, **keywords: Unpack[MeshKeywords]) -> NDArray[np.float64]: ...
 @of_mesh()
-def mean_curvature(
-    vertices: Any, faces: Any = None, *, coincident: _arrays.Coincident | None = "join"
-) -> NDArray[np.float64]:
+def mean_curvature(mesh: _arrays.Mesh) -> NDArray[np.float64]:
     """Mean curvature H at every vertex of a mesh, (n,), in 1 / length.
 
     ``mesh`` and ``coincident`` as in `fair`. Negative on a sphere with outward normals,
@@ -35,8 +35,6 @@ def mean_curvature(
         InputError: An index or a coordinate is wrong; it says where.
 
     """
-    library = load()
-    mesh = _arrays.Mesh(vertices, faces, coincident)
     made = np.empty(len(mesh.vertices))
-    call(library, "fairmesh_mean_curvature", ctypes.byref(mesh.struct), ctypes.byref(_arrays.scalars_out(made)))
+    call(load(), "fairmesh_mean_curvature", mesh.struct, _arrays.scalars_out(made))
     return made

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import ctypes
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Generic, overload
+from typing import TYPE_CHECKING, Any, Generic, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,8 +14,11 @@ from ._calls import of_mesh
 from ._carry import Change, blended
 from ._handles import result_of
 from ._hosts import Arrays, M, MeshLike
-from ._library import load
+from ._keywords import MeshKeywords, TrimKeywords
 from ._options import real, whole
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 _lists = _abi.fairmesh_list
 
@@ -107,7 +109,7 @@ class Carried:
 
 @overload
 def erase(
-    mesh: M, /, erased: ArrayLike | str, *, clean: int | None = ..., coincident: _arrays.Coincident | None = ...
+    mesh: M, /, erased: ArrayLike | str, *, clean: int | None = ..., **keywords: Unpack[MeshKeywords]
 ) -> Erased[M]: ...
 @overload
 def erase(
@@ -116,17 +118,10 @@ def erase(
     erased: ArrayLike,
     *,
     clean: int | None = ...,
-    coincident: _arrays.Coincident | None = ...,
+    **keywords: Unpack[MeshKeywords],
 ) -> Erased[Arrays]: ...
 @of_mesh()
-def erase(
-    vertices: Any,
-    faces: Any,
-    erased: ArrayLike | str,
-    *,
-    clean: int | None = 0,
-    coincident: _arrays.Coincident | None = "join",
-) -> Erased[Any]:
+def erase(mesh: _arrays.Mesh, erased: ArrayLike | str, *, clean: int | None = 0) -> Erased[Any]:
     """Deletes faces, and what would hang loose where they were, so that new patches can take their place:
 
     ``left = erase(mesh, faces); fill_holes(left.mesh, loops=left.loops)``.
@@ -138,51 +133,22 @@ def erase(
             angle below 5 degrees, or turned by more than 100 degrees against one beside them. Default 0.
 
     """
-    library = load()
-    mesh = _arrays.Mesh(vertices, faces, coincident)
     listed = _arrays.chosen_faces(mesh, erased, "erased")
-    handle = result_of(
-        library,
-        "fairmesh_erase_and_clean",
-        ctypes.byref(mesh.struct),
-        ctypes.byref(_arrays.indices_view(listed)),
-        whole(clean or 0, "clean"),
-    )
+    arguments = (_arrays.indices_view(listed), whole(clean or 0, "clean"))
+    handle = result_of("fairmesh_erase_and_clean", mesh.struct, *arguments)
     info = handle.info()
     loops = handle.list(_lists.ERASED_LOOPS)
     return Erased(mesh, handle.list(_lists.KEPT_TRIANGLES), loops, info.dropped_count, info.cleaned_count)
 
 
 @overload
-def trim_boundary(
-    mesh: M,
-    /,
-    most: int,
-    *,
-    loops: ArrayLike | None = ...,
-    max_area: float | None = ...,
-    coincident: _arrays.Coincident | None = ...,
-) -> Trimmed[M]: ...
+def trim_boundary(mesh: M, /, most: int, **keywords: Unpack[TrimKeywords]) -> Trimmed[M]: ...
 @overload
 def trim_boundary(
-    vertices: ArrayLike,
-    faces: ArrayLike,
-    most: int,
-    *,
-    loops: ArrayLike | None = ...,
-    max_area: float | None = ...,
-    coincident: _arrays.Coincident | None = ...,
+    vertices: ArrayLike, faces: ArrayLike, most: int, **keywords: Unpack[TrimKeywords]
 ) -> Trimmed[Arrays]: ...
-@of_mesh()
-def trim_boundary(
-    vertices: Any,
-    faces: Any,
-    most: int,
-    *,
-    loops: ArrayLike | None = None,
-    max_area: float | None = None,
-    coincident: _arrays.Coincident | None = "join",
-) -> Trimmed[Any]:
+@of_mesh(TrimKeywords)
+def trim_boundary(mesh: _arrays.Mesh, most: int, **keywords: Unpack[TrimKeywords]) -> Trimmed[Any]:
     """Takes away faces at holes that would spoil a patch: slender ones, spikes, fins, and those that hang by one edge.
 
     Slender is an angle below 5 degrees, a fin is turned by more than 100 degrees against a face beside it. The worst go
@@ -195,19 +161,12 @@ def trim_boundary(
         max_area: No more area than this. Default: any.
 
     """
-    library = load()
-    mesh = _arrays.Mesh(vertices, faces, coincident)
+    loops, max_area = keywords.get("loops"), keywords.get("max_area")
     listed = None if loops is None else _arrays.indices(loops, "loops")
     if max_area is not None and not real(max_area, "max_area") > 0.0:
         raise ValueError("max_area: it has to be positive")
-    handle = result_of(
-        library,
-        "fairmesh_trim_boundary",
-        ctypes.byref(mesh.struct),
-        None if listed is None else ctypes.byref(_arrays.indices_view(listed)),
-        whole(most, "most"),
-        0.0 if max_area is None else float(max_area),
-    )
+    bounds = (whole(most, "most"), 0.0 if max_area is None else float(max_area))
+    handle = result_of("fairmesh_trim_boundary", mesh.struct, _arrays.list_view(listed), *bounds)
     info = handle.info()
     return Trimmed(mesh, handle.list(_lists.KEPT_TRIANGLES), info.dropped_count, info.dropped_area)
 
@@ -216,8 +175,8 @@ def trim_boundary(
 def carry_over(mesh: MeshLike, /, points: ArrayLike, among: ArrayLike | str | None = None) -> Carried: ...
 @overload
 def carry_over(vertices: ArrayLike, faces: ArrayLike, points: ArrayLike, among: ArrayLike | None = None) -> Carried: ...
-@of_mesh()
-def carry_over(vertices: Any, faces: Any, points: ArrayLike, among: ArrayLike | str | None = None) -> Carried:
+@of_mesh(None)
+def carry_over(mesh: _arrays.Mesh, points: ArrayLike, among: ArrayLike | str | None = None) -> Carried:
     """Finds the nearest face of a mesh for each point: colours of what was erased go to what took its place.
 
     ``carry_over(mesh, filled.vertices[filled.new_vertices], erased).of_vertices(colours)``.
@@ -228,17 +187,10 @@ def carry_over(vertices: Any, faces: Any, points: ArrayLike, among: ArrayLike | 
         among: Indices of faces, a mask, or the name of one that the mesh has: only these. Default: all.
 
     """
-    library = load()
-    mesh = _arrays.Mesh(vertices, faces)
     listed = None if among is None else _arrays.chosen_faces(mesh, among, "among")
     asked = _arrays.points(points, "points")
-    handle = result_of(
-        library,
-        "fairmesh_carry_over",
-        ctypes.byref(mesh.struct),
-        None if listed is None else ctypes.byref(_arrays.indices_view(listed)),
-        ctypes.byref(_arrays.points_view(asked)),
-    )
+    views = (_arrays.list_view(listed), _arrays.points_view(asked))
+    handle = result_of("fairmesh_carry_over", mesh.struct, *views)
     none = 2**32 - 1
     on = handle.list(_lists.CARRIED_TRIANGLES)
     corners = handle.list(_lists.PARENTS).reshape(-1, 3)

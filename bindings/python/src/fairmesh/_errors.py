@@ -123,7 +123,7 @@ _NAMES = {"positions": "vertices", "triangles": "faces", "components": "of_compo
 def call(library: Library, name: str, *arguments: Any) -> None:
     """Calls a function of the library that ends with a `fairmesh_error`; raises what it was refused with."""
     why = _abi.fairmesh_error()
-    status = getattr(library, name)(*arguments, ctypes.byref(why))
+    status = getattr(library, name)(*arguments, why)
     if status != Status.OK:
         _refuse(name, status, why)
 

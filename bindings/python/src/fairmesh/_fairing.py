@@ -12,15 +12,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
+from ._calls import of_mesh
 from ._edits import Edit, EditsView, Frame, budget_struct
 from ._enums import Outcome, Status
 from ._errors import FairmeshError, call
-from ._handles import ResultHandle, result_of
+from ._handles import ResultHandle
 from ._hosts import Arrays, M
+from ._keywords import FairKeywords
 from ._library import Library, load
-from ._options import CurvatureView, LoopsView, NormalsView, Options, how_far, real, target_struct, whole, with_options
-from ._progress import Event, ProgressCallback, Relay
+from ._options import CurvatureView, LoopsView, NormalsView, how_far, real, target_struct, whole
 from ._reports import Level, Report, report_of, sized
+from ._runs import Run, region_of
 from ._seams import seams_told, warn_of_seams
 
 if TYPE_CHECKING:
@@ -29,8 +31,6 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._forms import Curvature, HowFar, LoopContinuity, Normals, Target
-    from ._keywords import FairKeywords
-    from ._schema import FairingOptions
 
 _lists = _abi.fairmesh_list
 
@@ -118,7 +118,7 @@ class Result(Generic[M]):
         made = []
         for index in range(self.report.level_count):
             level = sized(_abi.fairmesh_level)
-            self._handle.read("fairmesh_result_level", index, ctypes.byref(level))
+            self._handle.read("fairmesh_result_level", index, level)
             made.append(Level(level.vertices, level.triangles, level.updates, level.defect))
         return made
 
@@ -135,19 +135,8 @@ def fair(mesh: M, /, free: _arrays.Selection = None, **keywords: Unpack[FairKeyw
 def fair(
     vertices: ArrayLike, faces: ArrayLike, free: _arrays.Selection = None, **keywords: Unpack[FairKeywords]
 ) -> Result[Arrays]: ...
-@with_options
-def fair(
-    vertices: Any,
-    faces: Any = None,
-    free: _arrays.Selection = None,
-    *,
-    fixed: _arrays.Selection = None,
-    free_faces: _arrays.Selection = None,
-    coincident: _arrays.Coincident | None = "join",
-    progress: ProgressCallback | None = None,
-    cancel: Event | None = None,
-    **options: Unpack[FairingOptions],
-) -> Result[Any]:
+@of_mesh(FairKeywords)
+def fair(mesh: _arrays.Mesh, free: _arrays.Selection = None, **keywords: Unpack[FairKeywords]) -> Result[Any]:
     """Moves the free vertices until the surface between the fixed ones solves Delta_B H = 0, or what ``target`` asks.
 
     The surface passes through the fixed vertices with tangent continuity, or with that of curvature as far as
@@ -189,23 +178,10 @@ def fair(
         LibraryError: The shared library was not found, or is of another version.
 
     """
-    library = load()
-    mesh = _arrays.Mesh(vertices, faces, coincident)
-    region = _arrays.Region(mesh, free, fixed, free_faces)
-    asked = Options(library, mesh.vertices, options)
-    relay = Relay(progress, cancel)
-    relay.install(asked.struct)
+    region = region_of(mesh, free, keywords)
+    run = Run(mesh, keywords)
     positions = np.empty(mesh.vertices.shape, mesh.vertices.dtype)
-    with seams_told(library, mesh), relay:
-        handle = result_of(
-            library,
-            "fairmesh_fair",
-            ctypes.byref(mesh.struct),
-            ctypes.byref(region.struct),
-            ctypes.byref(asked.struct),
-            ctypes.byref(_arrays.points_out(positions)),
-            None,
-        )
+    handle = run.result("fairmesh_fair", region.struct, run.options, _arrays.points_out(positions), None)
     made: Result[Any] = Result(handle, positions, mesh)
     if free is None:
         warn_of_seams(mesh, made.boundary_vertices)
@@ -239,39 +215,18 @@ class Solver(Generic[M]):
         free: _arrays.Selection = None,
         **keywords: Unpack[FairKeywords],
     ) -> None: ...
-    @with_options
-    def __init__(
-        self,
-        vertices: Any,
-        faces: Any = None,
-        free: _arrays.Selection = None,
-        *,
-        fixed: _arrays.Selection = None,
-        free_faces: _arrays.Selection = None,
-        coincident: _arrays.Coincident | None = "join",
-        progress: ProgressCallback | None = None,
-        cancel: Event | None = None,
-        **options: Unpack[FairingOptions],
-    ) -> None:
+    @of_mesh(FairKeywords)
+    def __init__(self, mesh: _arrays.Mesh, free: _arrays.Selection = None, **keywords: Unpack[FairKeywords]) -> None:
         self._library = load()
-        mesh = _arrays.Mesh(vertices, faces, coincident)
-        region = _arrays.Region(mesh, free, fixed, free_faces)
-        asked = Options(self._library, mesh.vertices, options)
-        self._relay = Relay(progress, cancel)
-        self._relay.install(asked.struct)
+        region = region_of(mesh, free, keywords)
+        run = Run(mesh, keywords)
+        self._relay = run.relay
         self._given = mesh
         self._shape = mesh.vertices.shape
         self._dtype = mesh.vertices.dtype
         self._address = ctypes.c_void_p()
-        with seams_told(self._library, mesh), self._relay:
-            call(
-                self._library,
-                "fairmesh_solver_new",
-                ctypes.byref(mesh.struct),
-                ctypes.byref(region.struct),
-                ctypes.byref(asked.struct),
-                ctypes.byref(self._address),
-            )
+        with seams_told(mesh), self._relay:
+            call(self._library, "fairmesh_solver_new", mesh.struct, region.struct, run.options, self._address)
             self._process = os.getpid()
             self._finalizer = weakref.finalize(self, _free, self._library, self._address, self._process)
             self._finalizer.atexit = False
@@ -292,13 +247,13 @@ class Solver(Generic[M]):
         report = sized(_abi.fairmesh_report)
         count = _abi.NO_ELEMENT if iterations is None else whole(iterations, "iterations")
         with self._relay:
-            self._call("fairmesh_solver_run", count, ctypes.byref(report))
+            self._call("fairmesh_solver_run", count, report)
         return report_of(report, self._component, self._attempt, self._continuity)
 
     def set_boundary_normals(self, normals: Normals) -> None:
         """Asks for other boundary normals from now on, as in `fair`. The next run starts at the surface at hand."""
         view = NormalsView(normals, self._shape[0])
-        self._call("fairmesh_solver_set_boundary_normals", ctypes.byref(view.struct))
+        self._call("fairmesh_solver_set_boundary_normals", view.struct)
 
     def set_continuity(self, continuity: HowFar, loops: LoopContinuity | None = None) -> None:
         """Asks for another ``continuity`` from now on, and with ``loops`` for a ``loop_continuity``, as in `fair`.
@@ -307,7 +262,7 @@ class Solver(Generic[M]):
         """
         view = LoopsView(loops or {})
         asked = ctypes.c_double(how_far(continuity, "continuity"))
-        self._call("fairmesh_solver_set_continuity", asked, ctypes.byref(view.struct))
+        self._call("fairmesh_solver_set_continuity", asked, view.struct)
 
     def set_boundary_curvature(self, curvature: Curvature) -> None:
         """Asks for the continuation of another curvature from now on, as in `fair`.
@@ -315,11 +270,11 @@ class Solver(Generic[M]):
         The next run starts at the surface at hand.
         """
         view = CurvatureView(curvature, self._shape[0])
-        self._call("fairmesh_solver_set_boundary_curvature", ctypes.byref(view.struct))
+        self._call("fairmesh_solver_set_boundary_curvature", view.struct)
 
     def set_target(self, target: Target) -> None:
         """Asks for another target from now on, given as in `fair`. The next run starts at the surface at hand."""
-        self._call("fairmesh_solver_set_target", ctypes.byref(target_struct(target)))
+        self._call("fairmesh_solver_set_target", target_struct(target))
 
     def edit(self, edits: Sequence[Edit]) -> None:
         """Asks for these changes of the boundary: `Tilt`, `Twist`, `Bulge`, `Move`.
@@ -341,14 +296,14 @@ class Solver(Generic[M]):
         """
         limit = budget_struct(whole(evaluations, "evaluations"), real(seconds, "seconds"), real(tolerance, "tolerance"))
         made = sized(_abi.fairmesh_frame)
-        self._call("fairmesh_solver_update", ctypes.byref(limit), ctypes.byref(made))
+        self._call("fairmesh_solver_update", limit, made)
         return Frame(made.step, made.evaluations, bool(made.is_settled))
 
     def finish(self) -> Report:
         """The converged surface with its report, checked: to the tolerance what `fair` finds for what is asked."""
         report = sized(_abi.fairmesh_report)
         with self._relay:
-            self._call("fairmesh_solver_finish", ctypes.byref(report))
+            self._call("fairmesh_solver_finish", report)
         return report_of(report, self._component, self._attempt, self._continuity)
 
     def bulge_range(self) -> tuple[float, float]:
@@ -358,14 +313,14 @@ class Solver(Generic[M]):
         """
         made = sized(_abi.fairmesh_bulge_range)
         with self._relay:
-            self._call("fairmesh_solver_bulge_range", ctypes.byref(made))
+            self._call("fairmesh_solver_bulge_range", made)
         return made.low, made.high
 
     @property
     def vertices(self) -> NDArray[Any]:
         """All vertices as they stand, (n, 3), in the type given; before the first run or update, those given."""
         made = np.empty(self._shape, self._dtype)
-        self._call("fairmesh_solver_positions", ctypes.byref(_arrays.points_out(made)))
+        self._call("fairmesh_solver_positions", _arrays.points_out(made))
         return made
 
     @property
@@ -379,14 +334,14 @@ class Solver(Generic[M]):
     def mean_curvature(self) -> NDArray[np.float64]:
         """The mean curvature of the surface as it stands, (n,); NaN where no vertex is free."""
         made = np.empty(self._shape[0])
-        self._call("fairmesh_solver_mean_curvature", ctypes.byref(_arrays.scalars_out(made)))
+        self._call("fairmesh_solver_mean_curvature", _arrays.scalars_out(made))
         return made
 
     @property
     def report(self) -> Report:
         """The report of the last run; before the first one, of the input."""
         made = sized(_abi.fairmesh_report)
-        self._call("fairmesh_solver_report", ctypes.byref(made))
+        self._call("fairmesh_solver_report", made)
         return report_of(made, self._component, self._attempt, self._continuity)
 
     def _component(self, number: int, to: Any) -> None:
@@ -401,7 +356,7 @@ class Solver(Generic[M]):
     def result(self) -> Result[M]:
         """A copy of everything that is known of the surface as it stands."""
         address = ctypes.c_void_p()
-        self._call("fairmesh_solver_result", ctypes.byref(address))
+        self._call("fairmesh_solver_result", address)
         handle = ResultHandle(self._library, address)
         return Result(handle, handle.positions(self._shape[0], self._dtype), self._given)
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from . import _abi, _arrays
 from ._errors import call
-from ._library import Library
+from ._library import Library, load
 from ._reports import Report, report_of, sized
 
 
@@ -31,13 +31,13 @@ class ResultHandle:
     def info(self) -> _abi.fairmesh_info:
         """The sizes."""
         made = sized(_abi.fairmesh_info)
-        self.read("fairmesh_result_info", ctypes.byref(made))
+        self.read("fairmesh_result_info", made)
         return made
 
     def report(self, index: int = 0) -> Report:
         """The report of the fairing (of the loop with this index)."""
         made = sized(_abi.fairmesh_report)
-        self.read("fairmesh_result_report", index, ctypes.byref(made))
+        self.read("fairmesh_result_report", index, made)
         return report_of(
             made,
             lambda number, to: self.read("fairmesh_result_component", index, number, to),
@@ -53,39 +53,39 @@ class ResultHandle:
 
     def positions_into(self, out: NDArray[Any]) -> None:
         """All vertices, into an array that `_arrays.points_out` can view."""
-        self.read("fairmesh_result_positions", ctypes.byref(_arrays.points_out(out)))
+        self.read("fairmesh_result_positions", _arrays.points_out(out))
 
     def triangles(self, count: int, dtype: np.dtype[Any]) -> NDArray[Any]:
         """All triangles, (count, 3)."""
         made = np.empty((count, 3), np.uint32)
         view = _abi.fairmesh_indices_out(made.ctypes.data if count else None, count, 0)
-        self.read("fairmesh_result_triangles", ctypes.byref(view))
+        self.read("fairmesh_result_triangles", view)
         return made.astype(dtype, copy=False)
 
     def scalars(self, which: _abi.fairmesh_scalars, count: int) -> NDArray[np.float64]:
         """Numbers per vertex, (count,)."""
         made = np.empty(count)
-        self.read("fairmesh_result_scalars", which, ctypes.byref(_arrays.scalars_out(made)))
+        self.read("fairmesh_result_scalars", which, _arrays.scalars_out(made))
         return made
 
     def vectors(self, which: _abi.fairmesh_vectors, count: int) -> NDArray[np.float64]:
         """Vectors, (count, 3)."""
         made = np.empty((count, 3))
-        self.read("fairmesh_result_vectors", which, ctypes.byref(_arrays.points_out(made)))
+        self.read("fairmesh_result_vectors", which, _arrays.points_out(made))
         return made
 
     def list(self, which: _abi.fairmesh_list, index: int = 0) -> NDArray[np.intp]:
         """A list of indices, ready to index numpy arrays."""
         size = ctypes.c_size_t()
-        self.read("fairmesh_result_list", which, index, None, 0, ctypes.byref(size))
+        self.read("fairmesh_result_list", which, index, None, 0, size)
         made = np.empty(size.value, np.uint32)
         if size.value:
-            self.read("fairmesh_result_list", which, index, made.ctypes.data, size.value, ctypes.byref(size))
+            self.read("fairmesh_result_list", which, index, made.ctypes.data, size.value, size)
         return made.astype(np.intp)
 
 
-def result_of(library: Library, function: str, *arguments: Any) -> ResultHandle:
+def result_of(function: str, *arguments: Any) -> ResultHandle:
     """Calls a function of the library that makes a result; without its last argument, which the result is put into."""
-    address = ctypes.c_void_p()
-    call(library, function, *arguments, ctypes.byref(address))
+    library, address = load(), ctypes.c_void_p()
+    call(library, function, *arguments, address)
     return ResultHandle(library, address)

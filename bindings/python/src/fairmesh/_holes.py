@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import ctypes
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Generic, Literal, overload
+from typing import TYPE_CHECKING, Any, Generic, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,20 +13,17 @@ from numpy.typing import ArrayLike, NDArray
 from . import _abi, _arrays
 from ._calls import of_mesh
 from ._carry import Change
-from ._choice import Choice, Join, LoopChoice, Place
+from ._choice import Choice
 from ._enums import FillOutcome, FillReason, LoopKind, Status
 from ._handles import ResultHandle, result_of
 from ._hosts import Arrays, M, MeshLike
-from ._library import load
-from ._options import Options, set_options, with_filling_options
-from ._progress import Event, ProgressCallback, Relay
+from ._keywords import FillKeywords, MeshKeywords
+from ._options import set_options
 from ._reports import Bends, Moved, Report, bends_of, moved_of, sized
+from ._runs import Run
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
-
-    from ._keywords import FillKeywords
-    from ._schema import FillingOptions
 
 _lists = _abi.fairmesh_list
 
@@ -78,17 +74,13 @@ class Loop:
 
 
 @overload
-def boundary_loops(
-    mesh: MeshLike, /, *, roughness: bool = ..., coincident: _arrays.Coincident | None = ...
-) -> list[Loop]: ...
+def boundary_loops(mesh: MeshLike, /, *, roughness: bool = ..., **keywords: Unpack[MeshKeywords]) -> list[Loop]: ...
 @overload
 def boundary_loops(
-    vertices: ArrayLike, faces: ArrayLike, *, roughness: bool = ..., coincident: _arrays.Coincident | None = ...
+    vertices: ArrayLike, faces: ArrayLike, *, roughness: bool = ..., **keywords: Unpack[MeshKeywords]
 ) -> list[Loop]: ...
 @of_mesh()
-def boundary_loops(
-    vertices: Any, faces: Any = None, *, roughness: bool = False, coincident: _arrays.Coincident | None = "join"
-) -> list[Loop]:
+def boundary_loops(mesh: _arrays.Mesh, *, roughness: bool = False) -> list[Loop]:
     """The boundary loops of a mesh: holes and outer boundaries. Arguments as in `fair`.
 
     Of a vertex with several copies a loop names the one in the triangle at its edge.
@@ -96,16 +88,13 @@ def boundary_loops(
     Only indices and coordinates have to be sound: a flaw of the mesh elsewhere does not matter. With ``roughness`` each
     loop tells how rough the mesh is along it, and what `fill_holes` can do about it; that takes longer.
     """
-    library = load()
-    mesh = _arrays.Mesh(vertices, faces, coincident)
-    function = "fairmesh_rim_roughness" if roughness else "fairmesh_boundary_loops"
-    handle = result_of(library, function, ctypes.byref(mesh.struct))
+    handle = result_of("fairmesh_rim_roughness" if roughness else "fairmesh_boundary_loops", mesh.struct)
     return [_loop(handle, index) for index in range(handle.info().loop_count)]
 
 
 def _loop(handle: ResultHandle, index: int) -> Loop:
     loop = sized(_abi.fairmesh_loop)
-    handle.read("fairmesh_result_loop", index, ctypes.byref(loop))
+    handle.read("fairmesh_result_loop", index, loop)
     kind = LoopKind.of(loop.kind)
     return Loop(
         kind,
@@ -138,7 +127,7 @@ class LoopReport:
 
     def __init__(self, handle: ResultHandle, index: int) -> None:
         struct = sized(_abi.fairmesh_fill_report)
-        handle.read("fairmesh_result_fill_report", index, ctypes.byref(struct))
+        handle.read("fairmesh_result_fill_report", index, struct)
         self._handle = handle
         self._index = index
         self.outcome: FillOutcome = FillOutcome.of(struct.outcome)
@@ -282,25 +271,8 @@ class Filled(NewMesh[M]):
 def fill_holes(mesh: M, /, **keywords: Unpack[FillKeywords]) -> Filled[M]: ...
 @overload
 def fill_holes(vertices: ArrayLike, faces: ArrayLike, **keywords: Unpack[FillKeywords]) -> Filled[Arrays]: ...
-@with_filling_options
-def fill_holes(
-    vertices: Any,
-    faces: Any = None,
-    *,
-    loops: ArrayLike | Literal["all"] | None = None,
-    join: Join | None = "none",
-    max_edges: int | None = None,
-    max_length: float | None = None,
-    max_area: float | None = None,
-    max_diagonal: float | None = None,
-    except_longest: int | None = 0,
-    of_components: ArrayLike | None = None,
-    within: Place | None = None,
-    coincident: _arrays.Coincident | None = "join",
-    progress: ProgressCallback | None = None,
-    cancel: Event | None = None,
-    **options: Unpack[FillingOptions],
-) -> Filled[Any]:
+@of_mesh(FillKeywords)
+def fill_holes(mesh: _arrays.Mesh, **keywords: Unpack[FillKeywords]) -> Filled[Any]:
     """Fills holes: triangulates, refines and fairs each, or several together.
 
     Vertices and faces given keep their numbers and bits (but for ``relax_rim``); new ones follow. A loop that cannot
@@ -329,27 +301,9 @@ def fill_holes(
         InputError and the others of `fair`.
 
     """
-    library = load()
-    mesh = _arrays.Mesh(vertices, faces, coincident)
-    choice: LoopChoice = {
-        "loops": loops,
-        "max_edges": max_edges,
-        "max_length": max_length,
-        "max_area": max_area,
-        "max_diagonal": max_diagonal,
-        "except_longest": except_longest,
-        "of_components": of_components,
-        "within": within,
-    }
-    chosen = Choice(library, choice, join)
-    fill = chosen.struct
-    alive = set_options(fill, options)
-    asked = Options(library, mesh.vertices, options)
-    relay = Relay(progress, cancel)
-    relay.install(asked.struct)
-    with relay:
-        handle = result_of(
-            library, "fairmesh_fill_holes", ctypes.byref(mesh.struct), ctypes.byref(fill), ctypes.byref(asked.struct)
-        )
+    chosen = Choice(keywords, keywords.get("join"))
+    alive = set_options(chosen.struct, keywords)
+    run = Run(mesh, keywords)
+    handle = run.result("fairmesh_fill_holes", chosen.struct, run.options)
     del alive
     return Filled(handle, mesh)

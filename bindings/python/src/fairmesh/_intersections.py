@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import ctypes
-from typing import Any, overload
+from typing import overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,15 +11,14 @@ from . import _abi, _arrays
 from ._calls import of_mesh
 from ._handles import result_of
 from ._hosts import MeshLike
-from ._library import load
 
 
 @overload
 def self_intersections(mesh: MeshLike, /, among: ArrayLike | str | None = None) -> NDArray[np.intp]: ...
 @overload
 def self_intersections(vertices: ArrayLike, faces: ArrayLike, among: ArrayLike | None = None) -> NDArray[np.intp]: ...
-@of_mesh()
-def self_intersections(vertices: Any, faces: Any = None, among: ArrayLike | str | None = None) -> NDArray[np.intp]:
+@of_mesh(None)
+def self_intersections(mesh: _arrays.Mesh, among: ArrayLike | str | None = None) -> NDArray[np.intp]:
     """Pairs of faces that intersect, (p, 2), the smaller index first, ascending.
 
     ``mesh`` as in `fair`; ``among``: indices of faces, a mask, or the name of one that the mesh has, and only
@@ -34,11 +32,6 @@ def self_intersections(vertices: Any, faces: Any = None, among: ArrayLike | str 
         InputError: An index or a coordinate is wrong; it says where.
 
     """
-    library = load()
-    mesh = _arrays.Mesh(vertices, faces)
-    listed = None
-    if among is not None:
-        asked = _arrays.chosen_faces(mesh, among, "among")
-        listed = ctypes.byref(_arrays.indices_view(asked))
-    handle = result_of(library, "fairmesh_self_intersections", ctypes.byref(mesh.struct), listed)
+    listed = None if among is None else _arrays.chosen_faces(mesh, among, "among")
+    handle = result_of("fairmesh_self_intersections", mesh.struct, _arrays.list_view(listed))
     return handle.list(_abi.fairmesh_list.INTERSECTIONS).reshape(-1, 2)

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import ctypes
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
 from ._calls import of_mesh
-from ._choice import Choice, LoopChoice
+from ._choice import Choice
 from ._handles import ResultHandle, result_of
 from ._hosts import MeshLike
-from ._library import load
+from ._keywords import JoinKeywords, MeshKeywords
 from ._reports import Bends, bends_of, sized
 
 if TYPE_CHECKING:
@@ -34,25 +33,11 @@ class JoinSuggestion:
 
 
 @overload
-def suggest_joins(
-    mesh: MeshLike, /, *, coincident: _arrays.Coincident | None = ..., **which: Unpack[LoopChoice]
-) -> list[JoinSuggestion]: ...
+def suggest_joins(mesh: MeshLike, /, **which: Unpack[JoinKeywords]) -> list[JoinSuggestion]: ...
 @overload
-def suggest_joins(
-    vertices: ArrayLike,
-    faces: ArrayLike,
-    *,
-    coincident: _arrays.Coincident | None = ...,
-    **which: Unpack[LoopChoice],
-) -> list[JoinSuggestion]: ...
-@of_mesh(LoopChoice, {"except_longest": 0})
-def suggest_joins(
-    vertices: Any,
-    faces: Any = None,
-    *,
-    coincident: _arrays.Coincident | None = "join",
-    **which: Unpack[LoopChoice],
-) -> list[JoinSuggestion]:
+def suggest_joins(vertices: ArrayLike, faces: ArrayLike, **which: Unpack[JoinKeywords]) -> list[JoinSuggestion]: ...
+@of_mesh(JoinKeywords)
+def suggest_joins(mesh: _arrays.Mesh, **which: Unpack[JoinKeywords]) -> list[JoinSuggestion]:
     """The loops that ``fill_holes(..., join="auto")`` would give one patch, and why.
 
     Args:
@@ -60,31 +45,25 @@ def suggest_joins(
         **which: Among which loops: ``loops`` and the bounds of `fill_holes`. Default: all.
 
     """
-    library = load()
-    mesh = _arrays.Mesh(vertices, faces, coincident)
-    choice = Choice(library, which)
-    handle = result_of(library, "fairmesh_suggest_joins", ctypes.byref(mesh.struct), ctypes.byref(choice.struct))
+    choice = Choice(which)
+    handle = result_of("fairmesh_suggest_joins", mesh.struct, choice.struct)
     return [_suggestion(handle, index) for index in range(handle.info().loop_count)]
 
 
 def _suggestion(handle: ResultHandle, index: int) -> JoinSuggestion:
     made = sized(_abi.fairmesh_join_suggestion)
-    handle.read("fairmesh_result_suggestion", index, ctypes.byref(made))
+    handle.read("fairmesh_result_suggestion", index, made)
     return JoinSuggestion(handle.list(_lists.JOINED_LOOPS, index), bends_of(made))
 
 
 @overload
-def components(mesh: MeshLike, /, *, coincident: _arrays.Coincident | None = ...) -> NDArray[np.intp]: ...
+def components(mesh: MeshLike, /, **keywords: Unpack[MeshKeywords]) -> NDArray[np.intp]: ...
 @overload
-def components(
-    vertices: ArrayLike, faces: ArrayLike, *, coincident: _arrays.Coincident | None = ...
-) -> NDArray[np.intp]: ...
+def components(vertices: ArrayLike, faces: ArrayLike, **keywords: Unpack[MeshKeywords]) -> NDArray[np.intp]: ...
 @of_mesh()
-def components(vertices: Any, faces: Any = None, *, coincident: _arrays.Coincident | None = "join") -> NDArray[np.intp]:
+def components(mesh: _arrays.Mesh) -> NDArray[np.intp]:
     """Per face the number of its component, (m,): faces that hang together by edges.
 
     Components count in the order of their first faces. Arguments as in `fair`.
     """
-    library = load()
-    mesh = _arrays.Mesh(vertices, faces, coincident)
-    return result_of(library, "fairmesh_components", ctypes.byref(mesh.struct)).list(_lists.TRIANGLE_COMPONENTS)
+    return result_of("fairmesh_components", mesh.struct).list(_lists.TRIANGLE_COMPONENTS)

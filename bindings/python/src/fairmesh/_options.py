@@ -10,47 +10,35 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _abi, _arrays
-from ._calls import of_mesh, of_names
+from ._calls import of_names
 from ._enums import Status
 from ._errors import error_of
-from ._library import Library, load
-from ._schema import (
-    BRIDGE_DEFAULTS,
-    FAIRING_DEFAULTS,
-    FILLING_DEFAULTS,
-    KINDS,
-    PATCH_DEFAULTS,
-    REMESH_DEFAULTS,
-    BridgeOptions,
-    FairingOptions,
-    FillingOptions,
-    PatchOptions,
-    RemeshOptions,
-)
+from ._library import load
+from ._schema import KINDS, FairingOptions
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from ._forms import Curvature, HowFar, LoopContinuity, Normals, Target
 
-#: For functions of meshes that take the options of the fairing, of patches, of hole filling, of bridges, of remeshing.
-with_options = of_mesh(FairingOptions, FAIRING_DEFAULTS)
-with_patch_options = of_mesh(PatchOptions, PATCH_DEFAULTS)
-with_filling_options = of_mesh(FillingOptions, FILLING_DEFAULTS)
-with_bridge_options = of_mesh(BridgeOptions, BRIDGE_DEFAULTS)
-with_remesh_options = of_mesh(RemeshOptions, REMESH_DEFAULTS)
-
 UINT64_MAX = 2**64 - 1
 
 Struct = TypeVar("Struct", bound=ctypes.Structure)
 
 
-def initial(library: Library, function: str, struct: type[Struct]) -> Struct:
+def initial(struct: type[Struct]) -> Struct:
     """A struct filled with the library's defaults."""
-    made = struct()
-    status = getattr(library, function)(ctypes.byref(made), ctypes.sizeof(struct))
+    made, function = struct(), f"{struct.__name__}_init"
+    status = getattr(load(), function)(made, ctypes.sizeof(struct))
     if status != Status.OK:
         raise error_of(function, status, _abi.fairmesh_error(status, 0, _abi.NO_ELEMENT, _abi.NO_ELEMENT))
+    return made
+
+
+def options_of(struct: type[Struct], given: Mapping[str, Any]) -> Struct:
+    """A struct of plain options with the library's defaults where nothing is given."""
+    made = initial(struct)
+    set_options(made, given)
     return made
 
 
@@ -108,8 +96,8 @@ def set_options(struct: ctypes.Structure, given: Mapping[str, Any]) -> list[Any]
 class Options:
     """The library's options of fairing. Keeps the arrays of normals, curvatures and loops alive."""
 
-    def __init__(self, library: Library, vertices: NDArray[Any], given: Mapping[str, Any]) -> None:
-        self.struct = initial(library, "fairmesh_options_init", _abi.fairmesh_options)
+    def __init__(self, vertices: NDArray[Any], given: Mapping[str, Any]) -> None:
+        self.struct = initial(_abi.fairmesh_options)
         if vertices.dtype == np.float32:
             self.struct.output_precision = _abi.fairmesh_output_precision.SINGLE
         self.alive: list[Any] = set_options(self.struct, given)
@@ -261,7 +249,7 @@ def default_options() -> FairingOptions:
     """All fairing options with their defaults, read from the library: ``fair(v, f, **default_options())`` is
     ``fair(v, f)``.
     """
-    struct = initial(load(), "fairmesh_options_init", _abi.fairmesh_options)
+    struct = initial(_abi.fairmesh_options)
     options: dict[str, Any] = {
         "boundary_normals": _abi.fairmesh_boundary_normals_kind(struct.boundary_normals.kind).name.lower(),
         "continuity": struct.continuity,
@@ -277,7 +265,7 @@ def default_options() -> FairingOptions:
 
 def default_fill_options() -> dict[str, Any]:
     """The defaults of `fill_holes` besides those of the fairing, read from the library."""
-    struct = initial(load(), "fairmesh_fill_options_init", _abi.fairmesh_fill_options)
+    struct = initial(_abi.fairmesh_fill_options)
     return {
         **_plain_defaults(struct),
         "join": _abi.fairmesh_join_kind(struct.join.kind).name.lower(),
@@ -288,4 +276,4 @@ def default_fill_options() -> dict[str, Any]:
 
 def default_remesh_options() -> dict[str, Any]:
     """The defaults of `remesh`, read from the library."""
-    return _plain_defaults(initial(load(), "fairmesh_remesh_options_init", _abi.fairmesh_remesh_options))
+    return _plain_defaults(initial(_abi.fairmesh_remesh_options))

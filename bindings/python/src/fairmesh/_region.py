@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import ctypes
-from typing import Any, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,8 +11,12 @@ from . import _abi, _arrays
 from ._calls import of_mesh
 from ._handles import result_of
 from ._hosts import MeshLike
-from ._library import load
 from ._options import real, whole
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._keywords import MeshKeywords
 
 _kinds = _abi.fairmesh_region_kind
 #: A mask of faces.
@@ -21,32 +24,13 @@ Mask = NDArray[np.bool_]
 
 
 @overload
-def select_ball(
-    mesh: MeshLike,
-    /,
-    centre: ArrayLike,
-    radius: float,
-    *,
-    coincident: _arrays.Coincident | None = ...,
-) -> Mask: ...
+def select_ball(mesh: MeshLike, /, centre: ArrayLike, radius: float, **keywords: Unpack[MeshKeywords]) -> Mask: ...
 @overload
 def select_ball(
-    vertices: ArrayLike,
-    faces: ArrayLike,
-    centre: ArrayLike,
-    radius: float,
-    *,
-    coincident: _arrays.Coincident | None = ...,
+    vertices: ArrayLike, faces: ArrayLike, centre: ArrayLike, radius: float, **keywords: Unpack[MeshKeywords]
 ) -> Mask: ...
 @of_mesh()
-def select_ball(
-    vertices: Any,
-    faces: Any,
-    centre: ArrayLike,
-    radius: float,
-    *,
-    coincident: _arrays.Coincident | None = "join",
-) -> Mask:
+def select_ball(mesh: _arrays.Mesh, centre: ArrayLike, radius: float) -> Mask:
     """Faces that lie in a ball with all corners, as a mask (m,).
 
     Args:
@@ -56,36 +40,17 @@ def select_ball(
 
     """
     step = _step(_kinds.BALL, point=_arrays.point(centre, "centre"), value=real(radius, "radius"))
-    return _select(vertices, faces, coincident, step)
+    return _chosen(mesh, step)
 
 
 @overload
-def select_box(
-    mesh: MeshLike,
-    /,
-    low: ArrayLike,
-    high: ArrayLike,
-    *,
-    coincident: _arrays.Coincident | None = ...,
-) -> Mask: ...
+def select_box(mesh: MeshLike, /, low: ArrayLike, high: ArrayLike, **keywords: Unpack[MeshKeywords]) -> Mask: ...
 @overload
 def select_box(
-    vertices: ArrayLike,
-    faces: ArrayLike,
-    low: ArrayLike,
-    high: ArrayLike,
-    *,
-    coincident: _arrays.Coincident | None = ...,
+    vertices: ArrayLike, faces: ArrayLike, low: ArrayLike, high: ArrayLike, **keywords: Unpack[MeshKeywords]
 ) -> Mask: ...
 @of_mesh()
-def select_box(
-    vertices: Any,
-    faces: Any,
-    low: ArrayLike,
-    high: ArrayLike,
-    *,
-    coincident: _arrays.Coincident | None = "join",
-) -> Mask:
+def select_box(mesh: _arrays.Mesh, low: ArrayLike, high: ArrayLike) -> Mask:
     """Faces that lie in a box with all corners, as a mask (m,).
 
     Args:
@@ -94,36 +59,19 @@ def select_box(
 
     """
     step = _step(_kinds.BOX, point=_arrays.point(low, "low"), vector=_arrays.point(high, "high"))
-    return _select(vertices, faces, coincident, step)
+    return _chosen(mesh, step)
 
 
 @overload
 def select_halfspace(
-    mesh: MeshLike,
-    /,
-    point: ArrayLike,
-    normal: ArrayLike,
-    *,
-    coincident: _arrays.Coincident | None = ...,
+    mesh: MeshLike, /, point: ArrayLike, normal: ArrayLike, **keywords: Unpack[MeshKeywords]
 ) -> Mask: ...
 @overload
 def select_halfspace(
-    vertices: ArrayLike,
-    faces: ArrayLike,
-    point: ArrayLike,
-    normal: ArrayLike,
-    *,
-    coincident: _arrays.Coincident | None = ...,
+    vertices: ArrayLike, faces: ArrayLike, point: ArrayLike, normal: ArrayLike, **keywords: Unpack[MeshKeywords]
 ) -> Mask: ...
 @of_mesh()
-def select_halfspace(
-    vertices: Any,
-    faces: Any,
-    point: ArrayLike,
-    normal: ArrayLike,
-    *,
-    coincident: _arrays.Coincident | None = "join",
-) -> Mask:
+def select_halfspace(mesh: _arrays.Mesh, point: ArrayLike, normal: ArrayLike) -> Mask:
     """Faces on one side of a plane with all corners, as a mask (m,).
 
     Args:
@@ -133,36 +81,17 @@ def select_halfspace(
 
     """
     step = _step(_kinds.HALF_SPACE, point=_arrays.point(point, "point"), vector=_arrays.point(normal, "normal"))
-    return _select(vertices, faces, coincident, step)
+    return _chosen(mesh, step)
 
 
 @overload
-def select_geodesic(
-    mesh: MeshLike,
-    /,
-    seed: ArrayLike,
-    radius: float,
-    *,
-    coincident: _arrays.Coincident | None = ...,
-) -> Mask: ...
+def select_geodesic(mesh: MeshLike, /, seed: ArrayLike, radius: float, **keywords: Unpack[MeshKeywords]) -> Mask: ...
 @overload
 def select_geodesic(
-    vertices: ArrayLike,
-    faces: ArrayLike,
-    seed: ArrayLike,
-    radius: float,
-    *,
-    coincident: _arrays.Coincident | None = ...,
+    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike, radius: float, **keywords: Unpack[MeshKeywords]
 ) -> Mask: ...
 @of_mesh()
-def select_geodesic(
-    vertices: Any,
-    faces: Any,
-    seed: ArrayLike,
-    radius: float,
-    *,
-    coincident: _arrays.Coincident | None = "join",
-) -> Mask:
+def select_geodesic(mesh: _arrays.Mesh, seed: ArrayLike, radius: float) -> Mask:
     """Faces all of whose corners are no further from a place than this along the surface, as a mask (m,).
 
     Args:
@@ -171,33 +100,17 @@ def select_geodesic(
         radius: The largest distance.
 
     """
-    return _select(vertices, faces, coincident, _seeded(_kinds.GEODESIC, seed, real(radius, "radius")))
+    return _chosen(mesh, _seeded(_kinds.GEODESIC, seed, real(radius, "radius")))
 
 
 @overload
-def select_component(
-    mesh: MeshLike,
-    /,
-    seed: ArrayLike,
-    *,
-    coincident: _arrays.Coincident | None = ...,
-) -> Mask: ...
+def select_component(mesh: MeshLike, /, seed: ArrayLike, **keywords: Unpack[MeshKeywords]) -> Mask: ...
 @overload
 def select_component(
-    vertices: ArrayLike,
-    faces: ArrayLike,
-    seed: ArrayLike,
-    *,
-    coincident: _arrays.Coincident | None = ...,
+    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike, **keywords: Unpack[MeshKeywords]
 ) -> Mask: ...
 @of_mesh()
-def select_component(
-    vertices: Any,
-    faces: Any,
-    seed: ArrayLike,
-    *,
-    coincident: _arrays.Coincident | None = "join",
-) -> Mask:
+def select_component(mesh: _arrays.Mesh, seed: ArrayLike) -> Mask:
     """Faces that hang together with a place by edges, as a mask (m,).
 
     Args:
@@ -205,36 +118,17 @@ def select_component(
         seed: A vertex by its number, or x, y, z: the point of the surface that is nearest.
 
     """
-    return _select(vertices, faces, coincident, _seeded(_kinds.COMPONENT, seed))
+    return _chosen(mesh, _seeded(_kinds.COMPONENT, seed))
 
 
 @overload
-def select_patch(
-    mesh: MeshLike,
-    /,
-    seed: ArrayLike,
-    angle: float = ...,
-    *,
-    coincident: _arrays.Coincident | None = ...,
-) -> Mask: ...
+def select_patch(mesh: MeshLike, /, seed: ArrayLike, angle: float = ..., **keywords: Unpack[MeshKeywords]) -> Mask: ...
 @overload
 def select_patch(
-    vertices: ArrayLike,
-    faces: ArrayLike,
-    seed: ArrayLike,
-    angle: float = ...,
-    *,
-    coincident: _arrays.Coincident | None = ...,
+    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike, angle: float = ..., **keywords: Unpack[MeshKeywords]
 ) -> Mask: ...
 @of_mesh()
-def select_patch(
-    vertices: Any,
-    faces: Any,
-    seed: ArrayLike,
-    angle: float = 30.0,
-    *,
-    coincident: _arrays.Coincident | None = "join",
-) -> Mask:
+def select_patch(mesh: _arrays.Mesh, seed: ArrayLike, angle: float = 30.0) -> Mask:
     """Faces around a place up to edges at which the surface bends by more than an angle, as a mask (m,).
 
     Args:
@@ -243,33 +137,15 @@ def select_patch(
         angle: In degrees, from 0 to 180. Default 30.
 
     """
-    return _select(vertices, faces, coincident, _seeded(_kinds.PATCH, seed, real(angle, "angle")))
+    return _chosen(mesh, _seeded(_kinds.PATCH, seed, real(angle, "angle")))
 
 
 @overload
-def select_bump(
-    mesh: MeshLike,
-    /,
-    seed: ArrayLike,
-    *,
-    coincident: _arrays.Coincident | None = ...,
-) -> Mask: ...
+def select_bump(mesh: MeshLike, /, seed: ArrayLike, **keywords: Unpack[MeshKeywords]) -> Mask: ...
 @overload
-def select_bump(
-    vertices: ArrayLike,
-    faces: ArrayLike,
-    seed: ArrayLike,
-    *,
-    coincident: _arrays.Coincident | None = ...,
-) -> Mask: ...
+def select_bump(vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike, **keywords: Unpack[MeshKeywords]) -> Mask: ...
 @of_mesh()
-def select_bump(
-    vertices: Any,
-    faces: Any,
-    seed: ArrayLike,
-    *,
-    coincident: _arrays.Coincident | None = "join",
-) -> Mask:
+def select_bump(mesh: _arrays.Mesh, seed: ArrayLike) -> Mask:
     """The bump or dent at a place: where the mean curvature departs from that of the surroundings, as a mask (m,).
 
     Args:
@@ -280,36 +156,17 @@ def select_bump(
         InputError: The curvature does not tell where a bump ends (`Status.NO_BUMP`).
 
     """
-    return _select(vertices, faces, coincident, _seeded(_kinds.BUMP, seed))
+    return _chosen(mesh, _seeded(_kinds.BUMP, seed))
 
 
 @overload
-def grow(
-    mesh: MeshLike,
-    /,
-    region: ArrayLike | str,
-    rings: int = ...,
-    *,
-    coincident: _arrays.Coincident | None = ...,
-) -> Mask: ...
+def grow(mesh: MeshLike, /, region: ArrayLike | str, rings: int = ..., **keywords: Unpack[MeshKeywords]) -> Mask: ...
 @overload
 def grow(
-    vertices: ArrayLike,
-    faces: ArrayLike,
-    region: ArrayLike,
-    rings: int = ...,
-    *,
-    coincident: _arrays.Coincident | None = ...,
+    vertices: ArrayLike, faces: ArrayLike, region: ArrayLike, rings: int = ..., **keywords: Unpack[MeshKeywords]
 ) -> Mask: ...
 @of_mesh()
-def grow(
-    vertices: Any,
-    faces: Any,
-    region: ArrayLike | str,
-    rings: int = 1,
-    *,
-    coincident: _arrays.Coincident | None = "join",
-) -> Mask:
+def grow(mesh: _arrays.Mesh, region: ArrayLike | str, rings: int = 1) -> Mask:
     """A region with the faces that have a vertex in common with it, as a mask (m,).
 
     Args:
@@ -318,36 +175,17 @@ def grow(
         rings: So often. Default 1.
 
     """
-    return _spread(vertices, faces, coincident, region, _step(_kinds.GROW, rings=whole(rings, "rings")))
+    return _spread(mesh, region, _step(_kinds.GROW, rings=whole(rings, "rings")))
 
 
 @overload
-def shrink(
-    mesh: MeshLike,
-    /,
-    region: ArrayLike | str,
-    rings: int = ...,
-    *,
-    coincident: _arrays.Coincident | None = ...,
-) -> Mask: ...
+def shrink(mesh: MeshLike, /, region: ArrayLike | str, rings: int = ..., **keywords: Unpack[MeshKeywords]) -> Mask: ...
 @overload
 def shrink(
-    vertices: ArrayLike,
-    faces: ArrayLike,
-    region: ArrayLike,
-    rings: int = ...,
-    *,
-    coincident: _arrays.Coincident | None = ...,
+    vertices: ArrayLike, faces: ArrayLike, region: ArrayLike, rings: int = ..., **keywords: Unpack[MeshKeywords]
 ) -> Mask: ...
 @of_mesh()
-def shrink(
-    vertices: Any,
-    faces: Any,
-    region: ArrayLike | str,
-    rings: int = 1,
-    *,
-    coincident: _arrays.Coincident | None = "join",
-) -> Mask:
+def shrink(mesh: _arrays.Mesh, region: ArrayLike | str, rings: int = 1) -> Mask:
     """A region without the faces that have a vertex in common with the rest, as a mask (m,).
 
     Args:
@@ -356,7 +194,7 @@ def shrink(
         rings: So often. Default 1.
 
     """
-    return _spread(vertices, faces, coincident, region, _step(_kinds.SHRINK, rings=whole(rings, "rings")))
+    return _spread(mesh, region, _step(_kinds.SHRINK, rings=whole(rings, "rings")))
 
 
 def _step(
@@ -380,22 +218,17 @@ def _seeded(kind: _abi.fairmesh_region_kind, seed: ArrayLike, value: float = 0.0
     return made
 
 
-def _spread(vertices: Any, faces: Any, coincident: Any, region: Any, step: _abi.fairmesh_region_step) -> Mask:
-    mesh = _arrays.Mesh(vertices, faces, coincident)
+def _spread(mesh: _arrays.Mesh, region: Any, step: _abi.fairmesh_region_step) -> Mask:
     listed = _arrays.chosen_faces(mesh, region, "region")
     first = _step(_kinds.TRIANGLES)
     first.list = _arrays.indices_view(listed)
     return _chosen(mesh, first, step)
 
 
-def _select(vertices: Any, faces: Any, coincident: Any, step: _abi.fairmesh_region_step) -> Mask:
-    return _chosen(_arrays.Mesh(vertices, faces, coincident), step)
-
-
 def _chosen(mesh: _arrays.Mesh, *steps: _abi.fairmesh_region_step) -> Mask:
     """What the steps choose, as a mask."""
     asked = (_abi.fairmesh_region_step * len(steps))(*steps)
-    handle = result_of(load(), "fairmesh_select_region", ctypes.byref(mesh.struct), asked, len(steps))
+    handle = result_of("fairmesh_select_region", mesh.struct, asked, len(steps))
     made = np.zeros(len(mesh.faces), np.bool_)
     made[handle.list(_abi.fairmesh_list.REGION_TRIANGLES)] = True
     return made

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, overload
 
@@ -10,19 +9,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
+from ._calls import of_mesh
 from ._handles import result_of
 from ._holes import NewMesh
 from ._hosts import Arrays, M
-from ._library import load
-from ._options import Options, initial, set_options, with_patch_options, with_remesh_options
-from ._progress import Event, ProgressCallback, Relay
+from ._keywords import RefillKeywords, RemeshKeywords
+from ._options import options_of
+from ._runs import Run, region_of
 from ._seams import seams_told
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
-
-    from ._keywords import RefillKeywords, RemeshKeywords
-    from ._schema import PatchOptions, RemeshOptions
 
 _lists = _abi.fairmesh_list
 
@@ -58,17 +55,8 @@ def remesh(mesh: M, /, free: _arrays.Selection = None, **keywords: Unpack[Remesh
 def remesh(
     vertices: ArrayLike, faces: ArrayLike, free: _arrays.Selection = None, **keywords: Unpack[RemeshKeywords]
 ) -> Remeshed[Arrays]: ...
-@with_remesh_options
-def remesh(
-    vertices: Any,
-    faces: Any = None,
-    free: _arrays.Selection = None,
-    *,
-    fixed: _arrays.Selection = None,
-    free_faces: _arrays.Selection = None,
-    coincident: _arrays.Coincident | None = "join",
-    **options: Unpack[RemeshOptions],
-) -> Remeshed[Any]:
+@of_mesh(RemeshKeywords)
+def remesh(mesh: _arrays.Mesh, free: _arrays.Selection = None, **keywords: Unpack[RemeshKeywords]) -> Remeshed[Any]:
     """Triangulates a region anew, by edge lengths as beside it, without moving the surface.
 
     To fair the new mesh: ``fair(new.mesh, new.free_vertices)``.
@@ -84,14 +72,10 @@ def remesh(
         InputError and the others of `fair`.
 
     """
-    library = load()
-    mesh = _arrays.Mesh(vertices, faces, coincident)
-    region = _arrays.Region(mesh, free, fixed, free_faces)
-    asked = initial(library, "fairmesh_remesh_options_init", _abi.fairmesh_remesh_options)
-    set_options(asked, options)
-    views = (ctypes.byref(mesh.struct), ctypes.byref(region.struct), ctypes.byref(asked))
-    with seams_told(library, mesh):
-        return Remeshed(result_of(library, "fairmesh_remesh", *views), mesh)
+    region = region_of(mesh, free, keywords)
+    options = options_of(_abi.fairmesh_remesh_options, keywords)
+    with seams_told(mesh):
+        return Remeshed(result_of("fairmesh_remesh", mesh.struct, region.struct, options), mesh)
 
 
 @overload
@@ -100,19 +84,8 @@ def refill(mesh: M, /, free: _arrays.Selection = None, **keywords: Unpack[Refill
 def refill(
     vertices: ArrayLike, faces: ArrayLike, free: _arrays.Selection = None, **keywords: Unpack[RefillKeywords]
 ) -> Remeshed[Arrays]: ...
-@with_patch_options
-def refill(
-    vertices: Any,
-    faces: Any = None,
-    free: _arrays.Selection = None,
-    *,
-    fixed: _arrays.Selection = None,
-    free_faces: _arrays.Selection = None,
-    coincident: _arrays.Coincident | None = "join",
-    progress: ProgressCallback | None = None,
-    cancel: Event | None = None,
-    **options: Unpack[PatchOptions],
-) -> Remeshed[Any]:
+@of_mesh(RefillKeywords)
+def refill(mesh: _arrays.Mesh, free: _arrays.Selection = None, **keywords: Unpack[RefillKeywords]) -> Remeshed[Any]:
     """Deletes a region and fills what is left open, each component of it with one patch, which is fair already.
 
     Where the shape that the region has is of no use, such as an ear of many vertices behind a short boundary.
@@ -131,15 +104,7 @@ def refill(
             `fair`.
 
     """
-    library = load()
-    mesh = _arrays.Mesh(vertices, faces, coincident)
-    region = _arrays.Region(mesh, free, fixed, free_faces)
-    filling = initial(library, "fairmesh_fill_options_init", _abi.fairmesh_fill_options)
-    set_options(filling, options)
-    asked = Options(library, mesh.vertices, options)
-    relay = Relay(progress, cancel)
-    relay.install(asked.struct)
-    views = (mesh.struct, region.struct, filling, asked.struct)
-    with seams_told(library, mesh), relay:
-        handle = result_of(library, "fairmesh_refill", *map(ctypes.byref, views))
-    return Remeshed(handle, mesh)
+    region = region_of(mesh, free, keywords)
+    filling = options_of(_abi.fairmesh_fill_options, keywords)
+    run = Run(mesh, keywords)
+    return Remeshed(run.result("fairmesh_refill", region.struct, filling, run.options), mesh)

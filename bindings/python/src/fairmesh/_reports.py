@@ -202,16 +202,16 @@ def report_of(
     components = []
     for number in range(struct.component_count):
         made = sized(_abi.fairmesh_component)
-        component(number, ctypes.byref(made))
+        component(number, made)
         attempts = []
         for tried in range(made.attempt_count):
             told = sized(_abi.fairmesh_attempt)
-            attempt(number, tried, ctypes.byref(told))
+            attempt(number, tried, told)
             attempts.append(Attempt(**_fields(told, Attempt)))
         loops = []
         for loop in range(made.continuity_count):
             of_loop = sized(_abi.fairmesh_continuity)
-            continuity(number, loop, ctypes.byref(of_loop))
+            continuity(number, loop, of_loop)
             loops.append(Continuity(**_fields(of_loop, Continuity)))
         own = _fields(made, Component)
         components.append(Component(**own, attempts=tuple(attempts), continuity=tuple(loops)))

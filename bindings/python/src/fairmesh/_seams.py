@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 import itertools
 import warnings
 from collections.abc import Iterator
@@ -14,7 +13,6 @@ from numpy.typing import NDArray
 from . import _abi, _arrays
 from ._errors import FairmeshError, Status
 from ._handles import result_of
-from ._library import Library
 from ._reports import sized
 
 #: Of the diagonal of the bounding box: what programs that write single precision leave between copies of a vertex.
@@ -26,13 +24,13 @@ _OF_BOUNDARIES = {Status.FREE_VERTEX_ON_BOUNDARY, Status.EMPTY_REGION}
 
 
 @contextmanager
-def seams_told(library: Library, mesh: _arrays.Mesh) -> Iterator[None]:
+def seams_told(mesh: _arrays.Mesh) -> Iterator[None]:
     """Adds to a refusal that vertices lie beside each other which are not joined, if that is so."""
     try:
         yield
     except FairmeshError as why:
         if why.status in _OF_BOUNDARIES:
-            why.add_advice(_advice(library, mesh))
+            why.add_advice(_advice(mesh))
         raise
 
 
@@ -72,11 +70,11 @@ def _near(mesh: _arrays.Mesh) -> float:
     return float(f"{_NEAR * diagonal:.0e}") if np.isfinite(diagonal) else 0.0
 
 
-def _advice(library: Library, mesh: _arrays.Mesh) -> str:
+def _advice(mesh: _arrays.Mesh) -> str:
     near = _near(mesh)
     if not near > mesh.struct.coincident_within:
         return ""
-    before, after = (_boundary_edges(library, mesh, within) for within in (None, near))
+    before, after = (_boundary_edges(mesh, within) for within in (None, near))
     if after >= before:
         return ""
     return (
@@ -85,14 +83,14 @@ def _advice(library: Library, mesh: _arrays.Mesh) -> str:
     )
 
 
-def _boundary_edges(library: Library, mesh: _arrays.Mesh, within: float | None) -> int:
+def _boundary_edges(mesh: _arrays.Mesh, within: float | None) -> int:
     """Of the mesh as it was given, or joined up to a distance."""
     struct = _abi.fairmesh_mesh.from_buffer_copy(mesh.struct)
     if within is not None:
         struct.coincident, struct.coincident_within = _abi.fairmesh_coincident.JOIN, within
-    handle = result_of(library, "fairmesh_boundary_loops", ctypes.byref(struct))
+    handle = result_of("fairmesh_boundary_loops", struct)
     loop, edges = sized(_abi.fairmesh_loop), 0
     for index in range(handle.info().loop_count):
-        handle.read("fairmesh_result_loop", index, ctypes.byref(loop))
+        handle.read("fairmesh_result_loop", index, loop)
         edges += loop.vertex_count
     return edges
