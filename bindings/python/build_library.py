@@ -61,7 +61,7 @@ def _pinned(name: str) -> str:
 
 
 def declare() -> None:
-    """Makes `_abi.py`, `_enums.py` and `_schema.py` of the Rust sources; a source distribution has them."""
+    """Makes what is generated of the Rust sources, such as `_abi.py`; a source distribution has it."""
     if not _is_distribution():
         command = [cargo(), "run", "--release", "--locked", "--quiet", "-p", "fairmesh-declarations", "--", "python"]
         subprocess.run([*command, HERE / "src" / "fairmesh"], cwd=ROOT, check=True, stdout=sys.stderr)

@@ -4,6 +4,8 @@ pub mod numbers;
 pub mod options;
 pub mod python;
 pub mod python_options;
+pub mod python_records;
+pub mod records;
 pub mod source;
 pub mod tables;
 pub mod web;

@@ -1,11 +1,11 @@
-//! `fairmesh-declarations python FOLDER` writes `_abi.py`, `_enums.py` and `_schema.py`, `web FOLDER` writes `abi.ts`, and `capi FOLDER` what `src/capi`
+//! `fairmesh-declarations python FOLDER` writes `_abi.py`, `_enums.py`, `_records.py` and `_schema.py`, `web FOLDER` writes `abi.ts`, and `capi FOLDER` what `src/capi`
 //! takes of the library's tables and schemas.
 #![allow(clippy::print_stderr, reason = "a program of a build tells what went wrong")]
 
 use std::path::Path;
 use std::process::ExitCode;
 
-use fairmesh_declarations::{numbers, options, python, python_options, source, web};
+use fairmesh_declarations::{numbers, options, python, python_options, python_records, source, web};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -16,6 +16,7 @@ fn main() -> ExitCode {
             vec![
                 ("_abi.py", python::declarations(&source::items())),
                 ("_enums.py", python::enumerations()),
+                ("_records.py", python_records::records(&source::items())),
                 ("_schema.py", python_options::options()),
             ],
         ),

@@ -63,15 +63,8 @@ pub fn enumerations() -> String {
         .iter()
         .filter(|t| t.has_texts || t.name == "fairmesh_loop_kind")
     {
-        let (class, base) = match table.name {
-            "fairmesh_status" => ("Status", "Numbered"),
-            "fairmesh_outcome" => ("Outcome", "Named"),
-            "fairmesh_loose_reason" => ("LooseReason", "Named"),
-            "fairmesh_attempt_end" => ("AttemptEnd", "Named"),
-            "fairmesh_fill_outcome" => ("FillOutcome", "Named"),
-            "fairmesh_fill_reason" => ("FillReason", "Named"),
-            _ => ("LoopKind", "Named"),
-        };
+        let class = class_of(table.name);
+        let base = if class == "Status" { "Numbered" } else { "Named" };
         let doc = table.doc.replace("`fairmesh_outcome`", "`Outcome`");
         let doc = doc.replace("`fairmesh_error`", "error");
         let _ = write!(made, "\n\nclass {class}({base}):\n    \"\"\"{doc}\"\"\"\n\n");
@@ -94,6 +87,20 @@ pub fn enumerations() -> String {
         }
     }
     made
+}
+
+/// The class of an enumeration.
+pub(crate) fn class_of(name: &str) -> &'static str {
+    match name {
+        "fairmesh_status" => "Status",
+        "fairmesh_outcome" => "Outcome",
+        "fairmesh_loose_reason" => "LooseReason",
+        "fairmesh_attempt_end" => "AttemptEnd",
+        "fairmesh_fill_outcome" => "FillOutcome",
+        "fairmesh_fill_reason" => "FillReason",
+        "fairmesh_loop_kind" => "LoopKind",
+        _ => panic!("{name} has no class"),
+    }
 }
 
 /// Which outcomes are successes, as `fairmesh::Outcome::is_success` says it.

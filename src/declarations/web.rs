@@ -4,12 +4,13 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use syn::{Attribute, Expr, Fields, FnArg, Item, Lit, Meta, Type};
+use syn::{FnArg, Item, Type};
 
 use fairmesh::OptionKind;
 
 use crate::options;
 use crate::python::{constant, is_c_name, is_opaque, last_name, number};
+use crate::records::{self, Field, Record, doc};
 
 const HEAD: &str = "/**
  * The C interface in WebAssembly's memory: numbers of enumerations, places of fields, arguments of functions, and the types of what is read.
@@ -38,25 +39,6 @@ const READ: [&str; 14] = [
 
 /// Structs whose plain fields programs set by name.
 const SET: [&str; 4] = ["options", "fillOptions", "bridgeOptions", "remeshOptions"];
-
-/// 64 bits that may say that there is nothing.
-const MAY_BE_NONE: [&str; 7] = [
-    "worst_triangle",
-    "normal_deviation_vertex",
-    "boundary_kink_vertex",
-    "reason_element",
-    "reason_other",
-    "element",
-    "other",
-];
-
-/// A field: its name, its kind in `abi.ts`, how many of it, and what is said about it.
-struct Field {
-    name: String,
-    kind: String,
-    count: usize,
-    doc: String,
-}
 
 /// The text of `abi.ts`.
 pub fn declarations(items: &[Item]) -> String {
@@ -138,30 +120,17 @@ fn pascal(camel: &str) -> String {
     camel[..1].to_uppercase() + &camel[1..]
 }
 
-/// What is said about an item, in the words of JavaScript.
-fn doc(attributes: &[Attribute]) -> String {
-    let mut lines = Vec::new();
-    for attribute in attributes {
-        if let Meta::NameValue(pair) = &attribute.meta
-            && pair.path.is_ident("doc")
-            && let Expr::Lit(literal) = &pair.value
-            && let Lit::Str(text) = &literal.lit
-        {
-            lines.push(text.value().trim().to_owned());
-        }
-    }
-    let text = lines.join(" ");
-    let text = text.replace(" Set `struct_size` before the call.", "");
+/// What is said about something, in the words of JavaScript.
+fn words(text: &str) -> String {
+    let is_name = |part: &str| {
+        part.chars()
+            .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+    };
     let parts: Vec<String> = text
         .split('`')
         .enumerate()
         .map(|(k, part)| match k % 2 {
-            1 if part
-                .chars()
-                .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_') =>
-            {
-                camel(part)
-            }
+            1 if is_name(part) => camel(part),
             _ => part.to_owned(),
         })
         .collect();
@@ -182,7 +151,7 @@ fn enumerations(made: &mut String, items: &[Item]) {
         let _ = write!(
             types,
             "\n/** {} */\nexport type {} = keyof typeof enums.{name};\n",
-            doc(&item.attrs),
+            words(&doc(&item.attrs)),
             pascal(&name)
         );
         for variant in &item.variants {
@@ -191,7 +160,7 @@ fn enumerations(made: &mut String, items: &[Item]) {
             let _ = writeln!(
                 made,
                 "        /** {} */\n        {key}: {},",
-                doc(&variant.attrs),
+                words(&doc(&variant.attrs)),
                 number(value)
             );
         }
@@ -201,67 +170,17 @@ fn enumerations(made: &mut String, items: &[Item]) {
     made.push_str(&types);
 }
 
-fn kind(field: &syn::Field) -> (String, usize) {
-    let name = field.ident.as_ref().expect("named").to_string();
-    let said = doc(&field.attrs);
-    match &field.ty {
-        Type::Ptr(pointer) if last_name(&pointer.elem) == "c_char" => ("text".to_owned(), 1),
-        Type::Ptr(_) => ("pointer".to_owned(), 1),
-        Type::Array(array) => {
-            let count = number(&array.len).parse().expect("a length");
-            match last_name(&array.elem).as_str() {
-                "c_char" => ("chars".to_owned(), count),
-                "f64" => ("f64".to_owned(), count),
-                other => panic!("an array of {other}"),
-            }
-        }
-        of => {
-            let plain = match last_name(of).as_str() {
-                _ if name == "status" || name == "refused_status" => "status".to_owned(),
-                "u32" if name == "gap_kind" => "gapKind".to_owned(),
-                "u32" if said.starts_with("Not 0") => "flag".to_owned(),
-                "u32" => match said.strip_prefix("A `").and_then(|rest| rest.split_once('`')) {
-                    Some((named, _)) => named.to_owned(),
-                    None => "u32".to_owned(),
-                },
-                "u64" if MAY_BE_NONE.contains(&name.as_str()) => "orNone".to_owned(),
-                "usize" => "size".to_owned(),
-                "fairmesh_progress_fn" => "pointer".to_owned(),
-                other => camel(other),
-            };
-            (plain, 1)
-        }
+/// `usize`: `size`; `fairmesh_fill_outcome`: `fillOutcome`.
+fn kind(field: &Field) -> String {
+    match field.kind.as_str() {
+        "usize" => "size".to_owned(),
+        other => camel(other),
     }
-}
-
-fn fields_of(item: &Item) -> Option<(String, String, Vec<Field>)> {
-    let Item::Struct(item) = item else { return None };
-    let name = item.ident.to_string();
-    let Fields::Named(fields) = &item.fields else {
-        return None;
-    };
-    if !is_c_name(&name) || is_opaque(&name) {
-        return None;
-    }
-    let fields = fields
-        .named
-        .iter()
-        .map(|field| {
-            let (kind, count) = kind(field);
-            Field {
-                name: field.ident.as_ref().expect("named").to_string(),
-                kind,
-                count,
-                doc: doc(&field.attrs),
-            }
-        })
-        .collect();
-    Some((camel(&name), doc(&item.attrs), fields))
 }
 
 /// Sizes and alignments, by the rules of C for WebAssembly with 32 bits.
 struct Layouts<'a> {
-    structs: &'a [(String, String, Vec<Field>)],
+    structs: &'a [Record],
     known: BTreeMap<String, (usize, usize)>,
 }
 
@@ -272,7 +191,7 @@ impl Layouts<'_> {
             "chars" => return (1, 1),
             _ => {}
         }
-        if !self.structs.iter().any(|s| s.0 == kind) {
+        if !is_struct(self.structs, kind) {
             return (4, 4);
         }
         if let Some(known) = self.known.get(kind) {
@@ -286,11 +205,11 @@ impl Layouts<'_> {
     /// Where the fields of a struct are, and its size and alignment.
     fn places(&mut self, name: &str) -> (Vec<usize>, (usize, usize)) {
         let structs = self.structs;
-        let (_, _, fields) = structs.iter().find(|s| s.0 == name).expect("a struct");
+        let record = structs.iter().find(|s| camel(&s.name) == name).expect("a struct");
         let (mut end, mut largest) = (0_usize, 1);
         let mut places = Vec::new();
-        for field in fields {
-            let (size, align) = self.of(&field.kind);
+        for field in &record.fields {
+            let (size, align) = self.of(&kind(field));
             end = end.next_multiple_of(align);
             places.push(end);
             end += size * field.count;
@@ -301,7 +220,7 @@ impl Layouts<'_> {
 }
 
 fn structures(made: &mut String, items: &[Item]) {
-    let structs: Vec<_> = items.iter().filter_map(fields_of).collect();
+    let structs = records::all(items);
     let mut layouts = Layouts {
         structs: &structs,
         known: BTreeMap::new(),
@@ -309,8 +228,9 @@ fn structures(made: &mut String, items: &[Item]) {
     made.push_str(
         "\n/** Structs: their sizes, and of each field its place, what it is, and of arrays how many it has. */\nexport const structs = {\n",
     );
-    for (name, _, fields) in &structs {
-        let (places, (size, align)) = layouts.places(name);
+    for Record { name, fields, .. } in &structs {
+        let name = camel(name);
+        let (places, (size, align)) = layouts.places(&name);
         let _ = writeln!(
             made,
             "    {name}: {{\n        size: {size},\n        align: {align},\n        fields: {{"
@@ -325,25 +245,26 @@ fn structures(made: &mut String, items: &[Item]) {
                 made,
                 "            {}: [{at}, \"{}\"{count}],",
                 camel(&field.name),
-                field.kind
+                kind(field)
             );
         }
         made.push_str("        },\n    },\n");
     }
     made.push_str("} as const;\n");
-    for (name, said, fields) in &structs {
+    for Record { name, doc, fields } in &structs {
+        let name = camel(name);
         if READ.contains(&name.as_str()) {
-            let _ = write!(made, "\n/** {said} */\nexport interface {} {{\n", pascal(name));
+            let said = words(doc);
+            let _ = write!(made, "\n/** {said} */\nexport interface {} {{\n", pascal(&name));
             fields.iter().for_each(|field| property(made, field, "", ""));
             made.push_str("}\n");
         } else if SET.contains(&name.as_str()) {
             let _ = write!(
                 made,
                 "\n/** The plain ones of {name}. */\nexport interface Plain{} {{\n",
-                pascal(name)
+                pascal(&name)
             );
-            let plain =
-                |field: &&Field| !structs.iter().any(|s| s.0 == field.kind) && field.kind != "pointer";
+            let plain = |field: &&Field| !is_struct(&structs, &kind(field)) && field.kind != "pointer";
             fields
                 .iter()
                 .filter(plain)
@@ -353,25 +274,24 @@ fn structures(made: &mut String, items: &[Item]) {
     }
 }
 
+fn is_struct(structs: &[Record], kind: &str) -> bool {
+    structs.iter().any(|s| camel(&s.name) == kind)
+}
+
 fn property(made: &mut String, field: &Field, optional: &str, or: &str) {
-    if field.name == "struct_size" || field.name.starts_with("reserved") {
+    if !field.is_told() {
         return;
     }
     let of = match (field.kind.as_str(), field.count) {
-        ("u32" | "u64" | "size" | "f64", 1) => "number".to_owned(),
+        ("u32" | "u64" | "usize" | "f64", 1) => "number".to_owned(),
         ("f64", count) => format!("[{}]", vec!["number"; count].join(", ")),
-        ("orNone", _) => "number | null".to_owned(),
+        ("or_none", _) => "number | null".to_owned(),
         ("flag", _) => "boolean".to_owned(),
         ("text" | "chars", _) => "string".to_owned(),
         ("status", _) => "Status | null".to_owned(),
-        (other, _) => pascal(other),
+        (other, _) => pascal(&camel(other)),
     };
-    let said = field
-        .doc
-        .strip_prefix(&format!("A `{}`: ", field.kind))
-        .or_else(|| field.doc.strip_prefix("Not 0: "))
-        .unwrap_or(&field.doc);
-    let said = said[..1].to_uppercase() + &said[1..];
+    let said = words(&field.said());
     let _ = writeln!(
         made,
         "    /** {said} */\n    {}{optional}: {of}{or};",

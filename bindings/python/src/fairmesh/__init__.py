@@ -10,13 +10,14 @@ from ._enums import AttemptEnd, FillOutcome, FillReason, LoopKind, LooseReason, 
 from ._erase import Carried, Erased, Trimmed, carry_over, erase, trim_boundary
 from ._errors import ElementKind, FairmeshError, InputError, OutOfMemoryError
 from ._fairing import Result, Solver, fair
-from ._holes import Filled, Loop, LoopReport, Roughness, boundary_loops, fill_holes
+from ._holes import Filled, Loop, LoopReport, boundary_loops, fill_holes
 from ._intersections import self_intersections
 from ._joins import JoinSuggestion, components, suggest_joins
 from ._keywords import LoopChoice
 from ._library import LibraryError, load, version
 from ._options import default_fill_options, default_options, default_remesh_options
 from ._progress import Monitor, Progress
+from ._records import Attempt, Bends, Component, Continuity, Level, Moved, Report, Roughness
 from ._region import (
     grow,
     select_ball,
@@ -29,7 +30,6 @@ from ._region import (
     shrink,
 )
 from ._remesh import Remeshed, refill, remesh
-from ._reports import Attempt, Bends, Component, Continuity, Level, Moved, Report
 from ._schema import FairingOptions
 from ._seams import SeamWarning
 

@@ -15,7 +15,8 @@ from ._holes import LoopReport, NewMesh
 from ._hosts import Arrays, M
 from ._keywords import BridgeKeywords
 from ._options import options_of
-from ._reports import Report, sized
+from ._records import Report
+from ._reports import sized
 from ._runs import Run
 
 if TYPE_CHECKING:

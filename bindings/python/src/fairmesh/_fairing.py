@@ -21,7 +21,8 @@ from ._hosts import Arrays, M
 from ._keywords import FairKeywords
 from ._library import Library, load
 from ._options import CurvatureView, LoopsView, NormalsView, how_far, real, target_struct, whole
-from ._reports import Level, Report, report_of, sized
+from ._records import Level, Report, level_of
+from ._reports import sized, whole_report
 from ._runs import Run, region_of
 from ._seams import seams_told, warn_of_seams
 
@@ -119,7 +120,7 @@ class Result(Generic[M]):
         for index in range(self.report.level_count):
             level = sized(_abi.fairmesh_level)
             self._handle.read("fairmesh_result_level", index, level)
-            made.append(Level(level.vertices, level.triangles, level.updates, level.defect))
+            made.append(level_of(level))
         return made
 
     def __repr__(self) -> str:
@@ -248,7 +249,7 @@ class Solver(Generic[M]):
         count = _abi.NO_ELEMENT if iterations is None else whole(iterations, "iterations")
         with self._relay:
             self._call("fairmesh_solver_run", count, report)
-        return report_of(report, self._component, self._attempt, self._continuity)
+        return self._told(report)
 
     def set_boundary_normals(self, normals: Normals) -> None:
         """Asks for other boundary normals from now on, as in `fair`. The next run starts at the surface at hand."""
@@ -304,7 +305,7 @@ class Solver(Generic[M]):
         report = sized(_abi.fairmesh_report)
         with self._relay:
             self._call("fairmesh_solver_finish", report)
-        return report_of(report, self._component, self._attempt, self._continuity)
+        return self._told(report)
 
     def bulge_range(self) -> tuple[float, float]:
         """Between which amounts of a `Bulge`, beside the other edits in force, sound surfaces are found.
@@ -342,16 +343,10 @@ class Solver(Generic[M]):
         """The report of the last run; before the first one, of the input."""
         made = sized(_abi.fairmesh_report)
         self._call("fairmesh_solver_report", made)
-        return report_of(made, self._component, self._attempt, self._continuity)
+        return self._told(made)
 
-    def _component(self, number: int, to: Any) -> None:
-        self._call("fairmesh_solver_component", number, to)
-
-    def _attempt(self, component: int, number: int, to: Any) -> None:
-        self._call("fairmesh_solver_attempt", component, number, to)
-
-    def _continuity(self, component: int, number: int, to: Any) -> None:
-        self._call("fairmesh_solver_continuity", component, number, to)
+    def _told(self, report: _abi.fairmesh_report) -> Report:
+        return whole_report(report, lambda what, *numbers: self._call(f"fairmesh_solver_{what}", *numbers))
 
     def result(self) -> Result[M]:
         """A copy of everything that is known of the surface as it stands."""

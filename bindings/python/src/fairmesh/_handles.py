@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from . import _abi, _arrays
 from ._errors import call
 from ._library import Library, load
-from ._reports import Report, report_of, sized
+from ._records import Report
+from ._reports import sized, whole_report
 
 
 class ResultHandle:
@@ -38,12 +39,7 @@ class ResultHandle:
         """The report of the fairing (of the loop with this index)."""
         made = sized(_abi.fairmesh_report)
         self.read("fairmesh_result_report", index, made)
-        return report_of(
-            made,
-            lambda number, to: self.read("fairmesh_result_component", index, number, to),
-            lambda component, number, to: self.read("fairmesh_result_attempt", index, component, number, to),
-            lambda component, number, to: self.read("fairmesh_result_continuity", index, component, number, to),
-        )
+        return whole_report(made, lambda what, *numbers: self.read(f"fairmesh_result_{what}", index, *numbers))
 
     def positions(self, count: int, dtype: np.dtype[Any]) -> NDArray[Any]:
         """All vertices, (count, 3)."""

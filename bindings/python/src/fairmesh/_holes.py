@@ -19,32 +19,14 @@ from ._handles import ResultHandle, result_of
 from ._hosts import Arrays, M, MeshLike
 from ._keywords import FillKeywords, MeshKeywords
 from ._options import set_options
-from ._reports import Bends, Moved, Report, bends_of, moved_of, sized
+from ._records import Bends, Moved, Report, Roughness, bends_of, moved_of, roughness_of
+from ._reports import sized
 from ._runs import Run
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 _lists = _abi.fairmesh_list
-
-
-@dataclass(frozen=True)
-class Roughness:
-    """How rough the mesh is along a boundary loop. Angles are in degrees, root mean square."""
-
-    #: The angle over the expected one: about 1 where the mesh is clean.
-    ratio: float
-    #: Between the normals of the faces at consecutive edges of the loop.
-    angle: float
-    #: The same by the surface fitted to what is around.
-    expected_angle: float
-    #: The distance of the mesh around from that surface, root mean square.
-    noise: float
-    #: The loop is noise, and what is advised draws it to the surface that the mesh has there on average.
-    is_rough: bool
-    #: Advice for ``relax_rim`` and ``relax_within`` of `fill_holes`; 0: nothing.
-    advised_relax_rim: int
-    advised_relax_within: float
 
 
 @dataclass(frozen=True)
@@ -106,19 +88,7 @@ def _loop(handle: ResultHandle, index: int) -> Loop:
         (loop.edge_a, loop.edge_b) if kind is LoopKind.NON_MANIFOLD else None,
         loop.component,
         loop.component_triangle_count,
-        _roughness(loop) if loop.has_roughness else None,
-    )
-
-
-def _roughness(loop: _abi.fairmesh_loop) -> Roughness:
-    return Roughness(
-        loop.roughness,
-        loop.rim_angle,
-        loop.rim_angle_expected,
-        loop.rim_noise,
-        bool(loop.is_rough),
-        loop.advised_relax_rim,
-        loop.advised_relax_within,
+        roughness_of(loop) if loop.has_roughness else None,
     )
 
 

@@ -14,7 +14,8 @@ from ._choice import Choice
 from ._handles import ResultHandle, result_of
 from ._hosts import MeshLike
 from ._keywords import JoinKeywords, MeshKeywords
-from ._reports import Bends, bends_of, sized
+from ._records import Bends, bends_of
+from ._reports import sized
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
