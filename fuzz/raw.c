@@ -37,8 +37,8 @@ static fairmesh_status holes(const uint8_t *head, const uint8_t *bytes, const fa
     switch (head[24] % 10u) {
     case 0: return fairmesh_fill_holes(mesh, &fill, options, result, error);
     case 1: return fairmesh_suggest_joins(mesh, &fill, result, error);
-    case 2: return fairmesh_erase(mesh, &list, result, error);
-    case 3: return fairmesh_erase_and_clean(mesh, &list, most, result, error);
+    case 2: return fairmesh_erase(mesh, &list, 0, result, error);
+    case 3: return fairmesh_erase(mesh, &list, most, result, error);
     case 4: return fairmesh_trim_boundary(mesh, head[31] & 32 ? NULL : &list, most, number, result, error);
     case 5: return fairmesh_bridge(mesh, &list, &list, &how, &fill, options, result, error);
     case 6: return fairmesh_refill(mesh, selection, &fill, options, result, error);

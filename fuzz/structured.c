@@ -166,7 +166,7 @@ static fairmesh_status other(Bytes *bytes, int task, const fairmesh_mesh *mesh, 
     switch (task) {
     case 1: return fairmesh_fill_holes(mesh, &asked.fill, options, result, error);
     case 2: return fairmesh_suggest_joins(mesh, &asked.fill, result, error);
-    case 3: return flags & 1 ? fairmesh_erase(mesh, &from, result, error) : fairmesh_erase_and_clean(mesh, &from, flags / 2u, result, error);
+    case 3: return fairmesh_erase(mesh, &from, flags & 1 ? 0 : flags / 2u, result, error);
     case 4:
         fairmesh_bridge_options_init(&how, sizeof how);
         how.fill = flags & 1;

@@ -3388,24 +3388,18 @@ fairmesh_status fairmesh_refill(const struct fairmesh_mesh *mesh,
 /**
  * Deletes triangles, and what would hang loose where they were, so that new patches can take their place. The list KEPT_TRIANGLES of
  * the result is the mesh that is left, its vertices being those given, used or not; the list ERASED_LOOPS has the loops to be filled
- * there, or joined. `triangles` are the triangles to be deleted. `result` gets a handle; free it.
+ * there, or joined. `triangles` are the triangles to be deleted.
+ *
+ * Up to `cleaned` triangles more go with them, those beside what is erased that would spoil the boundary of a patch: with an angle below 5
+ * degrees, or turned by more than 100 degrees against a triangle beside them; 0: none. `cleaned_count` of the info says how many did.
+ * `result` gets a handle; free it.
  */
 FAIRMESH_API
 fairmesh_status fairmesh_erase(const struct fairmesh_mesh *mesh,
                                const struct fairmesh_indices *triangles,
+                               uint64_t cleaned,
                                struct fairmesh_result **result,
                                struct fairmesh_error *error);
-
-/**
- * `fairmesh_erase`, which drops up to `most` triangles more beside what is erased, those that would spoil the boundary of a patch: with an
- * angle below 5 degrees, or turned by more than 100 degrees against a triangle beside them. `cleaned_count` of the info says how many.
- */
-FAIRMESH_API
-fairmesh_status fairmesh_erase_and_clean(const struct fairmesh_mesh *mesh,
-                                         const struct fairmesh_indices *triangles,
-                                         uint64_t most,
-                                         struct fairmesh_result **result,
-                                         struct fairmesh_error *error);
 
 /**
  * Takes away triangles at boundary loops that would spoil a patch: slender ones, with an angle below 5 degrees, spikes and fins, turned by more than

@@ -668,13 +668,11 @@ struct erased_triangles {
     std::uint64_t cleaned = 0;
 };
 
-/** Deletes triangles, and up to `clean` more beside them that would spoil the boundary of a patch; see fairmesh_erase and
- *  fairmesh_erase_and_clean. */
+/** Deletes triangles, and up to `clean` more beside them that would spoil the boundary of a patch; see fairmesh_erase. */
 inline erased_triangles erase(const fairmesh_mesh &mesh, const std::vector<std::uint32_t> &triangles, std::uint64_t clean = 0) {
     const auto list = indices(triangles.data(), triangles.size());
     fairmesh_result *handle = nullptr;
-    if (clean == 0) detail::call(fairmesh_erase, &mesh, &list, &handle);
-    else detail::call(fairmesh_erase_and_clean, &mesh, &list, clean, &handle);
+    detail::call(fairmesh_erase, &mesh, &list, clean, &handle);
     const result left(handle);
     const auto info = left.info();
     return {left.list(FAIRMESH_LIST_KEPT_TRIANGLES), left.list(FAIRMESH_LIST_ERASED_LOOPS), info.dropped_count, info.cleaned_count};

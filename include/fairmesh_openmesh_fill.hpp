@@ -345,7 +345,7 @@ openmesh_filled fill(Mesh &mesh, const openmesh_fill_options &asked = openmesh_f
 }
 
 /** Deletes the selected faces, and what would hang loose there or, up to `clean`, spoil the patch, and fills the holes that they leave; see
- *  fairmesh_erase_and_clean. Of `patches` the loops are not read. The mesh needs the status of vertices, edges, half-edges and faces; what is deleted stays until
+ *  fairmesh_erase. Of `patches` the loops are not read. The mesh needs the status of vertices, edges, half-edges and faces; what is deleted stays until
  *  garbage_collection(). Otherwise as fill(mesh). */
 template <class Mesh, class = std::enable_if_t<detail::is_openmesh<Mesh>>>
 openmesh_filled erase_and_fill(Mesh &mesh, const openmesh_fill_options &asked = openmesh_fill_options()) {

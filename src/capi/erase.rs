@@ -19,70 +19,38 @@ use fairmesh::{
 
 /// Deletes triangles, and what would hang loose where they were, so that new patches can take their place. The list KEPT_TRIANGLES of
 /// the result is the mesh that is left, its vertices being those given, used or not; the list ERASED_LOOPS has the loops to be filled
-/// there, or joined. `triangles` are the triangles to be deleted. `result` gets a handle; free it.
+/// there, or joined. `triangles` are the triangles to be deleted.
+///
+/// Up to `cleaned` triangles more go with them, those beside what is erased that would spoil the boundary of a patch: with an angle below 5
+/// degrees, or turned by more than 100 degrees against a triangle beside them; 0: none. `cleaned_count` of the info says how many did.
+/// `result` gets a handle; free it.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_erase(
     mesh: *const fairmesh_mesh,
     triangles: *const fairmesh_indices,
+    cleaned: u64,
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, || {
-        let mut asked = ErasedIn::new(mesh, triangles)?;
-        check_slot(result, Argument(3), &mut asked.aliases)?;
-        asked.aliases.error(error, Argument(4))?;
-        asked.erase(0, result)
-    })
-}
-
-/// `fairmesh_erase`, which drops up to `most` triangles more beside what is erased, those that would spoil the boundary of a patch: with an
-/// angle below 5 degrees, or turned by more than 100 degrees against a triangle beside them. `cleaned_count` of the info says how many.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_erase_and_clean(
-    mesh: *const fairmesh_mesh,
-    triangles: *const fairmesh_indices,
-    most: u64,
-    result: *mut *mut fairmesh_result,
-    error: *mut fairmesh_error,
-) -> fairmesh_status {
-    guarded(error, || {
-        let mut asked = ErasedIn::new(mesh, triangles)?;
-        check_slot(result, Argument(4), &mut asked.aliases)?;
-        asked.aliases.error(error, Argument(5))?;
-        asked.erase(count(most), result)
-    })
-}
-
-/// The first two arguments of what erases, checked.
-struct ErasedIn {
-    mesh: MeshIn,
-    list: Option<IndicesIn>,
-    aliases: AliasCheck,
-}
-
-impl ErasedIn {
-    fn new(mesh: *const fairmesh_mesh, list: *const fairmesh_indices) -> CallResult<Self> {
         let mut aliases = AliasCheck::new();
         let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        check_pointer(list, Argument(2))?;
-        let list = IndicesIn::optional(list, Argument(2), &mut aliases)?;
-        Ok(Self { mesh, list, aliases })
-    }
-
-    fn erase(&self, most: usize, result: *mut *mut fairmesh_result) -> CallResult {
-        let mesh = &self.mesh;
+        check_pointer(triangles, Argument(2))?;
+        let list = IndicesIn::optional(triangles, Argument(2), &mut aliases)?;
+        check_slot(result, Argument(4), &mut aliases)?;
+        aliases.error(error, Argument(5))?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let erased = self.list.as_ref().map(|list| list.read()).transpose()?;
+        let erased = list.map(|list| list.read()).transpose()?;
         let erased = erased.as_deref().map_or(&[][..], <[[u32; 1]]>::as_flattened);
-        let _reserve = memory_bounds::reserve(memory_bounds::of_erasing(mesh))?;
+        let _reserve = memory_bounds::reserve(memory_bounds::of_erasing(&mesh))?;
         let callback = HostCallback::new(None, core::ptr::null_mut());
         point();
-        let left = erase_and_clean(&positions, &triangles, erased, mesh.coincident, most);
+        let left = erase_and_clean(&positions, &triangles, erased, mesh.coincident, count(cleaned));
         let erased = left.map_err(|error| missing(error, fairmesh_element::Triangle))?;
         let vertices = positions.len();
         publish(Arc::new(Content::Erased { erased, vertices }), result, &callback)
-    }
+    })
 }
 
 /// What the library refuses, where a selection is of triangles or of loops.

@@ -2,9 +2,9 @@
 #include "common.h"
 
 enum { FAIR = 1, SOLVER = 2, REMESH = 4, FILL = 8, LOOPS = 16, CURVATURE = 32, SUGGEST = 64, ERASE = 128, COMPONENTS = 256 };
-enum { ROUGHNESS = 512, CLEAN = 1024, TRIM = 2048, REFILL = 4096, CARRY = 8192, SELECT = 16384, LAST = SELECT };
+enum { ROUGHNESS = 512, TRIM = 1024, REFILL = 2048, CARRY = 4096, SELECT = 8192, LAST = SELECT };
 #define REGION (FAIR | SOLVER | REMESH | REFILL)
-#define ALL (REGION | FILL | LOOPS | CURVATURE | SUGGEST | ERASE | COMPONENTS | ROUGHNESS | CLEAN | TRIM | CARRY | SELECT)
+#define ALL (REGION | FILL | LOOPS | CURVATURE | SUGGEST | ERASE | COMPONENTS | ROUGHNESS | TRIM | CARRY | SELECT)
 #define SIDE 9
 #define NONE FAIRMESH_NO_ELEMENT
 
@@ -124,9 +124,8 @@ static int32_t call_run(Call *c, int function, fairmesh_error *error) {
     case FILL: return fairmesh_fill_holes(c->p_mesh, c->p_fill, c->p_options, c->p_result, error);
     case LOOPS: return fairmesh_boundary_loops(c->p_mesh, c->p_result, error);
     case SUGGEST: return fairmesh_suggest_joins(c->p_mesh, c->p_fill, c->p_result, error);
-    case ERASE: return fairmesh_erase(c->p_mesh, &c->erased, c->p_result, error);
+    case ERASE: return fairmesh_erase(c->p_mesh, &c->erased, 3, c->p_result, error);
     case ROUGHNESS: return fairmesh_rim_roughness(c->p_mesh, c->p_result, error);
-    case CLEAN: return fairmesh_erase_and_clean(c->p_mesh, &c->erased, 3, c->p_result, error);
     case TRIM: return fairmesh_trim_boundary(c->p_mesh, &c->erased, 3, c->area, c->p_result, error);
     case REFILL: return fairmesh_refill(c->p_mesh, c->p_selection, c->p_fill, c->p_options, c->p_result, error);
     case CARRY: return fairmesh_carry_over(c->p_mesh, &c->erased, c->p_points, c->p_result, error);
@@ -157,7 +156,7 @@ static Expected null_result(Call *c, int f, int k) {
     (void)k;
     c->p_result = NULL;
     c->p_solver = NULL;
-    return argument(FAIRMESH_STATUS_NULL_POINTER, f == LOOPS || f == ROUGHNESS ? 2 : f == ERASE ? 3 : f == TRIM || f == REFILL ? 5 : 4, NONE);
+    return argument(FAIRMESH_STATUS_NULL_POINTER, f == LOOPS || f == ROUGHNESS ? 2 : f == TRIM || f == REFILL ? 5 : 4, NONE);
 }
 static Expected null_selection_data(Call *c, int f, int k) {
     c->selection.kind = (uint32_t)(k + 1);
@@ -832,7 +831,7 @@ typedef struct {
 static const Row table[] = {
     {"null", "mesh", null_mesh, ALL, 1},
     {"null", "mesh data", null_data, ALL, 2},
-    {"null", "result slot", null_result, SOLVER | REMESH | FILL | LOOPS | ROUGHNESS | ERASE | CLEAN | TRIM | REFILL | CARRY | SELECT, 1},
+    {"null", "result slot", null_result, SOLVER | REMESH | FILL | LOOPS | ROUGHNESS | ERASE | TRIM | REFILL | CARRY | SELECT, 1},
     {"null", "selection data", null_selection_data, REGION, 4},
     {"null", "output data", null_output, FAIR | CURVATURE, 1},
     {"null", "output view", null_numbers, CURVATURE, 1},
@@ -891,7 +890,7 @@ static const Row table[] = {
     {"option range", "relaxing", relaxing, FILL | SUGGEST | REFILL, 4},
     {"option range", "bounds of holes", fill_bounds, FILL | SUGGEST | REFILL, 10},
     {"option range", "groups of loops", groups, FILL, 6},
-    {"option range", "erased triangles", erased, ERASE | CLEAN | TRIM | CARRY, 3},
+    {"option range", "erased triangles", erased, ERASE | TRIM | CARRY, 3},
     {"option range", "trimmed area", areas, TRIM, 4},
     {"option range", "points", carried, CARRY, 4},
     {"option range", "steps of a region", region_steps, SELECT, 11},

@@ -962,7 +962,7 @@ static size_t erased_from(const Cap *cap, const fairmesh_indices *faces, uint32_
     fairmesh_error error;
     fairmesh_result *erased = NULL;
     size_t t, size = 0;
-    OK(fairmesh_erase(&cap->mesh, faces, &erased, &error));
+    OK(fairmesh_erase(&cap->mesh, faces, 0, &erased, &error));
     info.struct_size = sizeof info;
     OK(fairmesh_result_info(erased, &info, &error));
     CHECK(info.kind == FAIRMESH_RESULT_KIND_ERASED && info.loop_count == 1 && info.vertex_count == cap->vertices);
@@ -1029,9 +1029,9 @@ static void erasing(void) {
     left.triangles.count = erased_from(&cap, &faces, loops, list, corners);
     filled_where_erased(&cap, &left, loops);
     list[0] = (uint32_t)cap.triangles;
-    CHECK(fairmesh_erase(&cap.mesh, &faces, &erased, &error) == FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE);
+    CHECK(fairmesh_erase(&cap.mesh, &faces, 0, &erased, &error) == FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE);
     CHECK(error.element_kind == FAIRMESH_ELEMENT_TRIANGLE && error.element == cap.triangles);
-    CHECK(fairmesh_erase(&cap.mesh, NULL, &erased, &error) == FAIRMESH_STATUS_NULL_POINTER);
+    CHECK(fairmesh_erase(&cap.mesh, NULL, 0, &erased, &error) == FAIRMESH_STATUS_NULL_POINTER);
     free(corners);
     free(list);
     cap_free(&cap);
@@ -1201,7 +1201,7 @@ static void erasing_and_cleaning(void) {
     faces.count = 4;
     info.struct_size = sizeof info;
     for (i = 0; i <= 4; i += 2) {
-        OK(fairmesh_erase_and_clean(&mesh, &faces, i, &erased, &error));
+        OK(fairmesh_erase(&mesh, &faces, i, &erased, &error));
         OK(fairmesh_result_info(erased, &info, &error));
         CHECK(info.kind == FAIRMESH_RESULT_KIND_ERASED && info.cleaned_count == i && info.loop_count == 1);
         CHECK(info.triangle_count == 72 - 4 - info.cleaned_count - info.dropped_count);

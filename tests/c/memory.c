@@ -195,8 +195,7 @@ static void erase(Scene *s) {
     memset(&faces, 0, sizeof faces);
     faces.data = both;
     faces.count = 2;
-    if (passed(s, fairmesh_erase(&s->cap.mesh, &faces, &result, &error), &error)) OK(fairmesh_result_free(result));
-    if (passed(s, fairmesh_erase_and_clean(&s->cap.mesh, &faces, 3, &result, &error), &error)) OK(fairmesh_result_free(result));
+    if (passed(s, fairmesh_erase(&s->cap.mesh, &faces, 3, &result, &error), &error)) OK(fairmesh_result_free(result));
     if (passed(s, fairmesh_trim_boundary(&s->cap.mesh, NULL, 3, 0.0, &result, &error), &error)) OK(fairmesh_result_free(result));
     if (passed(s, fairmesh_components(&s->cap.mesh, &result, &error), &error)) OK(fairmesh_result_free(result));
 }

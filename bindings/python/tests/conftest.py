@@ -32,7 +32,7 @@ def live_handles(monkeypatch):
         ("boundary_loops", -2),
         ("solver_result", -2),
         ("suggest_joins", -2),
-        ("erase_and_clean", -2),
+        ("erase", -2),
         ("trim_boundary", -2),
         ("carry_over", -2),
         ("refill", -2),

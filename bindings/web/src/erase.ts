@@ -77,7 +77,7 @@ export function erase(host: Host, given: Mesh, erased: Selection, options: { cle
     const listed = chosenTriangles(mesh, erased, "erased");
     const most = BigInt(whole(options.clean ?? 0, "clean"));
     return withMesh(host, mesh, (address, scope) =>
-        resultOf(host.library, "fairmesh_erase_and_clean", [address, listIn(scope, listed), most], (result) => {
+        resultOf(host.library, "fairmesh_erase", [address, listIn(scope, listed), most], (result) => {
             const { droppedCount, cleanedCount } = result.info();
             const keptTriangles = result.list("kept_triangles");
             return { triangles: kept(mesh, keptTriangles), keptTriangles, droppedCount, cleanedCount, loops: result.list("erased_loops") };

@@ -135,7 +135,7 @@ def erase(mesh: _arrays.Mesh, erased: ArrayLike | str, *, clean: int | None = 0)
     """
     listed = _arrays.chosen_faces(mesh, erased, "erased")
     arguments = (_arrays.indices_view(listed), whole(clean or 0, "clean"))
-    handle = result_of("fairmesh_erase_and_clean", mesh.struct, *arguments)
+    handle = result_of("fairmesh_erase", mesh.struct, *arguments)
     info = handle.info()
     loops = handle.list(_lists.ERASED_LOOPS)
     return Erased(mesh, handle.list(_lists.KEPT_TRIANGLES), loops, info.dropped_count, info.cleaned_count)
