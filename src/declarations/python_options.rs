@@ -154,7 +154,7 @@ fn field(entry: &OptionEntry) -> Field {
         OptionKind::Count(_) => ("int".to_owned(), "count 64".to_owned()),
         OptionKind::SmallCount(_) => ("int".to_owned(), "count 32".to_owned()),
         OptionKind::Flag => ("bool".to_owned(), "flag".to_owned()),
-        OptionKind::Choice(of) => (names(of), format!("choice {of}")),
+        OptionKind::Choice(of) => (format!("Literal[{}]", names(of)), format!("choice {of}")),
         OptionKind::Indices(2) => ("ArrayLike".to_owned(), "pairs".to_owned()),
         OptionKind::Indices(_) => ("ArrayLike".to_owned(), "indices".to_owned()),
         OptionKind::Struct(_) | OptionKind::Elsewhere => (String::new(), "form".to_owned()),
@@ -189,8 +189,8 @@ fn field(entry: &OptionEntry) -> Field {
     }
 }
 
-/// The names of an enumeration as a type.
-fn names(of: &str) -> String {
+/// The names of an enumeration.
+pub(crate) fn names(of: &str) -> String {
     let tables = tables::all();
     let table = tables
         .iter()
@@ -201,7 +201,7 @@ fn names(of: &str) -> String {
         .iter()
         .map(|entry| format!("\"{}\"", entry.name()))
         .collect();
-    format!("Literal[{}]", names.join(", "))
+    names.join(", ")
 }
 
 /// A class, and its defaults.

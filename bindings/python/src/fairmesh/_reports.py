@@ -22,14 +22,15 @@ def sized(struct: type[Struct]) -> Struct:
 
 def whole_report(struct: _abi.fairmesh_report, read: Callable[..., None]) -> Report:
     """The library's report; ``read(what, *numbers, struct)`` reads what it tells of components, attempts and loops."""
-    return report_of(struct, tuple(_component(read, number) for number in range(struct.component_count)))
+    components = tuple(_component(read, number) for number in range(struct.component_count))
+    return report_of(struct, components=components)
 
 
 def _component(read: Callable[..., None], number: int) -> Component:
     struct = _read(read, "component", number)
     attempts = (attempt_of(_read(read, "attempt", number, k)) for k in range(struct.attempt_count))
     loops = (continuity_of(_read(read, "continuity", number, k)) for k in range(struct.continuity_count))
-    return component_of(struct, tuple(attempts), tuple(loops))
+    return component_of(struct, attempts=tuple(attempts), continuity=tuple(loops))
 
 
 def _read(read: Callable[..., None], what: str, *numbers: int) -> Any:
