@@ -4,9 +4,10 @@
 import bmesh
 import bpy
 import numpy as np
-from bpy.props import BoolProperty, EnumProperty, FloatProperty
+from bpy.props import FloatProperty
 
 from . import fairmesh, menus, messages, native, snapshot
+from .properties import selection, switch
 
 COLORS = "Mean Curvature"
 VALUES = "mean_curvature"
@@ -30,14 +31,11 @@ class MESH_OT_fairmesh_show_curvature(bpy.types.Operator):
     bl_label = "Show Curvature"
     bl_options = {"REGISTER", "UNDO"}
 
-    scale: EnumProperty(
-        name="Range",
-        description="Which curvatures the ends of the colour map stand for",
-        items=(
-            ("AUTO", "Automatic", "98 of 100 vertices are within the range"),
-            ("MANUAL", "Manual", "Half Width is given"),
-        ),
-        default="AUTO",
+    scale: selection(
+        "Range",
+        "Which curvatures the ends of the colour map stand for",
+        ("AUTO", "Automatic", "98 of 100 vertices are within the range"),
+        ("MANUAL", "Manual", "Half Width is given"),
     )
     half_width: FloatProperty(
         name="Half Width",
@@ -47,25 +45,14 @@ class MESH_OT_fairmesh_show_curvature(bpy.types.Operator):
         soft_max=100.0,
         precision=3,
     )
-    middle: EnumProperty(
-        name="Middle",
-        description="The curvature that is white",
-        items=(
-            ("ZERO", "Flat", "H = 0"),
-            ("MEDIAN", "Median", "The median of H: shows how even a surface is curved"),
-        ),
-        default="ZERO",
+    middle: selection(
+        "Middle",
+        "The curvature that is white",
+        ("ZERO", "Flat", "H = 0"),
+        ("MEDIAN", "Median", "The median of H: shows how even a surface is curved"),
     )
-    values: BoolProperty(
-        name="Store Values",
-        description='Store H itself, too, as the attribute "mean_curvature" for geometry nodes and scripts',
-        default=False,
-    )
-    show: BoolProperty(
-        name="Show in Viewport",
-        description="Switch solid shading to the colours",
-        default=True,
-    )
+    values: switch("Store Values", 'Store H itself, too, as the attribute "mean_curvature" for geometry nodes and scripts')
+    show: switch("Show in Viewport", "Switch solid shading to the colours", True)
 
     @classmethod
     def poll(cls, context):

@@ -1,31 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Options of the fairing, as properties: the same in operators and in the sidebar."""
 
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
+from bpy.props import FloatProperty, IntProperty
 
-
-def choice(layout, owner, name, label):
-    """A choice from a list: beside its name, or below it in the sidebar, which is narrow."""
-    if layout.use_property_split:
-        layout.prop(owner, name)
-        return
-    column = layout.column(align=True)
-    column.label(text=label)
-    column.prop(owner, name, text="")
+from .properties import choice, selection, switch
 
 
 class RegionOptions:
     """Mixed into the operator that fairs, and into settings."""
 
-    region: EnumProperty(
-        name="Region",
-        description="Which vertices may move",
-        items=(
-            ("AUTO", "By Select Mode", "Inside Faces in face select mode, otherwise Selected Vertices"),
-            ("FACES", "Inside Faces", "Vertices whose faces are all selected: the boundary of the selection stays"),
-            ("VERTICES", "Selected Vertices", "All selected vertices: the first unselected ones around them stay"),
-        ),
-        default="AUTO",
+    region: selection(
+        "Region",
+        "Which vertices may move",
+        ("AUTO", "By Select Mode", "Inside Faces in face select mode, otherwise Selected Vertices"),
+        ("FACES", "Inside Faces", "Vertices whose faces are all selected: the boundary of the selection stays"),
+        ("VERTICES", "Selected Vertices", "All selected vertices: the first unselected ones around them stay"),
     )
 
     def draw_region(self, layout):
@@ -49,24 +38,18 @@ class RegionOptions:
 class FairingOptions:
     """Mixed into operators and settings. Every identifier in lower case is the library's name of the choice."""
 
-    inner_fairness: EnumProperty(
-        name="Distribution",
-        description="How vertices are spread within the surface. The shape of the surface hardly depends on it",
-        items=(
-            ("UNIFORM", "Even", "Vertices are spread evenly"),
-            ("CONFORMAL", "Keep Shapes", "Least distortion of the triangles as they are now. Needs sound triangles"),
-            ("CONVEX", "Keep Shapes, Robust", "As Keep Shapes, with weights that are positive for bad triangles, too"),
-        ),
-        default="UNIFORM",
+    inner_fairness: selection(
+        "Distribution",
+        "How vertices are spread within the surface. The shape of the surface hardly depends on it",
+        ("UNIFORM", "Even", "Vertices are spread evenly"),
+        ("CONFORMAL", "Keep Shapes", "Least distortion of the triangles as they are now. Needs sound triangles"),
+        ("CONVEX", "Keep Shapes, Robust", "As Keep Shapes, with weights that are positive for bad triangles, too"),
     )
-    boundary_normals: EnumProperty(
-        name="Tangents",
-        description="The directions in which the surface leaves the faces around it",
-        items=(
-            ("FITTED", "Fitted", "Fitted to the curved surface around the region: the most accurate"),
-            ("AVERAGED", "Averaged", "Average of the faces around the region: for noisy surroundings"),
-        ),
-        default="FITTED",
+    boundary_normals: selection(
+        "Tangents",
+        "The directions in which the surface leaves the faces around it",
+        ("FITTED", "Fitted", "Fitted to the curved surface around the region: the most accurate"),
+        ("AVERAGED", "Averaged", "Average of the faces around the region: for noisy surroundings"),
     )
     continuity: FloatProperty(
         name="Match Curvature",
@@ -79,15 +62,12 @@ class FairingOptions:
         max=1.0,
         subtype="FACTOR",
     )
-    target: EnumProperty(
-        name="Shape",
-        description="The kind of surface",
-        items=(
-            ("HARMONIC", "Natural", "Curved as evenly as it can be: parts of spheres and cylinders come back exactly"),
-            ("CONSTANT", "Bulged", "Pushed out or in, by Bulge"),
-            ("MINIMAL_ENERGY", "Elastic Sheet", "Bent as little as it can be, as a thin sheet of steel"),
-        ),
-        default="HARMONIC",
+    target: selection(
+        "Shape",
+        "The kind of surface",
+        ("HARMONIC", "Natural", "Curved as evenly as it can be: parts of spheres and cylinders come back exactly"),
+        ("CONSTANT", "Bulged", "Pushed out or in, by Bulge"),
+        ("MINIMAL_ENERGY", "Elastic Sheet", "Bent as little as it can be, as a thin sheet of steel"),
     )
     constant: FloatProperty(
         name="Bulge",
@@ -118,10 +98,10 @@ class FairingOptions:
         soft_max=1000,
     )
 
-    check_intersections: BoolProperty(
-        name="Check Intersections",
-        description="Search the result for faces that intersect each other or the rest of the mesh, and warn of them",
-        default=True,
+    check_intersections: switch(
+        "Check Intersections",
+        "Search the result for faces that intersect each other or the rest of the mesh, and warn of them",
+        True,
     )
 
     def draw_fairing(self, layout):

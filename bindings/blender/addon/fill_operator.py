@@ -2,11 +2,11 @@
 """Mesh > Clean Up > Fill Hole and Fair."""
 
 import bpy
-from bpy.props import EnumProperty
 
 from . import fairmesh, filling, menus, messages
 from .job import Background
 from .patch_options import GuideOptions, HoleOptions, OuterOptions, RimOptions, TrimOptions
+from .properties import selection
 
 
 class MESH_OT_fairmesh_fill_holes(
@@ -22,14 +22,11 @@ class MESH_OT_fairmesh_fill_holes(
     )
     bl_options = {"REGISTER", "UNDO"}
 
-    scope: EnumProperty(
-        name="Holes",
-        description="Which holes are filled. Those with hidden vertices stay open",
-        items=(
-            ("SELECTED", "Selected", "Holes whose boundaries are selected, or touched by the selection"),
-            ("ALL", "All", "All holes of the mesh, up to a size"),
-        ),
-        default="SELECTED",
+    scope: selection(
+        "Holes",
+        "Which holes are filled. Those with hidden vertices stay open",
+        ("SELECTED", "Selected", "Holes whose boundaries are selected, or touched by the selection"),
+        ("ALL", "All", "All holes of the mesh, up to a size"),
     )
 
     def draw_options(self, layout):

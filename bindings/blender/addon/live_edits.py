@@ -6,9 +6,10 @@ from dataclasses import dataclass, replace
 
 import bpy
 import numpy as np
-from bpy.props import EnumProperty, FloatProperty, FloatVectorProperty, IntProperty
+from bpy.props import FloatProperty, FloatVectorProperty, IntProperty
 
 from . import fairmesh
+from .properties import distance, selection
 
 TILT, TWIST, BULGE, MOVE = "TILT", "TWIST", "BULGE", "MOVE"
 #: Behind these the surface folds over.
@@ -36,15 +37,13 @@ class Edit:
 class FAIRMESH_PG_live_edit(bpy.types.PropertyGroup):
     """The same as properties of the operator."""
 
-    kind: EnumProperty(
-        name="Kind",
-        description="What is changed at the boundary",
-        items=(
-            (TILT, "Tilt", "The surface leaves the boundary loop steeper"),
-            (TWIST, "Twist", "The same with opposite signs on both sides of the vertex"),
-            (BULGE, "Bulge", "All boundary loops are tilted alike"),
-            (MOVE, "Move", "The boundary loop is moved"),
-        ),
+    kind: selection(
+        "Kind",
+        "What is changed at the boundary",
+        (TILT, "Tilt", "The surface leaves the boundary loop steeper"),
+        (TWIST, "Twist", "The same with opposite signs on both sides of the vertex"),
+        (BULGE, "Bulge", "All boundary loops are tilted alike"),
+        (MOVE, "Move", "The boundary loop is moved"),
     )
     vertex: IntProperty(name="Vertex", description="A vertex of the boundary loop", default=-1, min=-1)
     angle: FloatProperty(
@@ -57,12 +56,7 @@ class FAIRMESH_PG_live_edit(bpy.types.PropertyGroup):
     way: FloatVectorProperty(
         name="Way", description="How far the loop is moved, in the object's coordinates", subtype="TRANSLATION"
     )
-    falloff: FloatProperty(
-        name="Falloff",
-        description="How far from the vertex the effect goes to zero. 0: the whole loop alike",
-        min=0.0,
-        subtype="DISTANCE",
-    )
+    falloff: distance("Falloff", "How far from the vertex the effect goes to zero. 0: the whole loop alike")
 
     def set(self, edit):
         self.kind, self.vertex, self.angle = edit.kind, edit.vertex, edit.angle

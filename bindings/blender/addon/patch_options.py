@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Options of patches, as properties: the same in operators and in the sidebar."""
 
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
+from bpy.props import FloatProperty
 
-from .fairing_options import choice
+from .properties import area, choice, count, distance, selection, switch
 
 
 class PatchOptions:
@@ -18,20 +18,13 @@ class PatchOptions:
         soft_min=0.5,
         soft_max=4.0,
     )
-    smooth: BoolProperty(
-        name="Fair",
-        description="Make the patch a smooth continuation of its surroundings. Off: it stays as triangulated",
-        default=True,
-    )
-    on_failure: EnumProperty(
-        name="If Not Fair",
-        description="What a hole gets for which no fair patch is found, or none that does not intersect anything",
-        items=(
-            ("LINEAR", "Best There Is", "The best surface that is found; a warning says what it lacks"),
-            ("FLAT", "Flat", "The patch as triangulated"),
-            ("OPEN", "Nothing", "It stays open"),
-        ),
-        default="LINEAR",
+    smooth: switch("Fair", "Make the patch a smooth continuation of its surroundings. Off: it stays as triangulated", True)
+    on_failure: selection(
+        "If Not Fair",
+        "What a hole gets for which no fair patch is found, or none that does not intersect anything",
+        ("LINEAR", "Best There Is", "The best surface that is found; a warning says what it lacks"),
+        ("FLAT", "Flat", "The patch as triangulated"),
+        ("OPEN", "Nothing", "It stays open"),
     )
 
     def own_keywords(self):
@@ -53,23 +46,13 @@ class PatchOptions:
 class RimOptions:
     """What may become of the mesh around a hole."""
 
-    relax_rim: IntProperty(
-        name="Smooth Rim",
-        description=(
-            "For the rough boundaries of scans: so many rings of vertices around a hole, those of its boundary counted, "
-            "may move onto the smooth surface there; 3 is a good number. 0: the faces around the hole stay as they are"
-        ),
-        default=0,
-        min=0,
+    relax_rim: count(
+        "Smooth Rim",
+        "For the rough boundaries of scans: so many rings of vertices around a hole, those of its boundary counted, "
+        "may move onto the smooth surface there; 3 is a good number. 0: the faces around the hole stay as they are",
         soft_max=8,
     )
-    relax_within: FloatProperty(
-        name="Rim Limit",
-        description="No vertex of the rim moves further than this. 0: than the edges there are long",
-        default=0.0,
-        min=0.0,
-        subtype="DISTANCE",
-    )
+    relax_within: distance("Rim Limit", "No vertex of the rim moves further than this. 0: than the edges there are long")
 
     def rim_keywords(self):
         """The same for the library, by the size of the mesh in the scene. The properties are read now."""
@@ -90,23 +73,13 @@ class RimOptions:
 class TrimOptions:
     """What may be taken away at a hole before it is filled."""
 
-    trim: IntProperty(
-        name="Trim Faces",
-        description=(
-            "Before a hole is filled, up to so many faces at it are taken away that would spoil the patch: slivers, spikes "
-            "and fins, the worst first. 0: none"
-        ),
-        default=0,
-        min=0,
+    trim: count(
+        "Trim Faces",
+        "Before a hole is filled, up to so many faces at it are taken away that would spoil the patch: slivers, spikes "
+        "and fins, the worst first. 0: none",
         soft_max=100,
     )
-    trim_area: FloatProperty(
-        name="Trim Area",
-        description="No more area than this is trimmed away, of all such faces of an object together. 0: any",
-        default=0.0,
-        min=0.0,
-        precision=4,
-    )
+    trim_area: area("Trim Area", "No more area than this is trimmed away, of all such faces of an object together. 0: any")
 
     def draw_trim(self, layout):
         layout.prop(self, "trim")
@@ -117,11 +90,9 @@ class TrimOptions:
 class CleanOptions:
     """What may go beside faces that are erased."""
 
-    clean_boundary: IntProperty(
-        name="Clean Rim",
-        description="Erase and Fill: up to so many faces more beside the selected ones go, slivers and fins. 0: none",
-        default=0,
-        min=0,
+    clean_boundary: count(
+        "Clean Rim",
+        "Erase and Fill: up to so many faces more beside the selected ones go, slivers and fins. 0: none",
         soft_max=100,
     )
 
@@ -132,13 +103,10 @@ class CleanOptions:
 class GuideOptions:
     """Which vertices across a hole belong together."""
 
-    guides: BoolProperty(
-        name="Connect Pairs",
-        description=(
-            "The triangulation begins with edges between the selected vertices, two by two as they were selected one after "
-            "the other: for long tears, to say which points of the two sides belong together. No edge shows in the surface"
-        ),
-        default=False,
+    guides: switch(
+        "Connect Pairs",
+        "The triangulation begins with edges between the selected vertices, two by two as they were selected one after "
+        "the other: for long tears, to say which points of the two sides belong together. No edge shows in the surface",
     )
 
     def draw_guides(self, layout):
@@ -148,11 +116,7 @@ class GuideOptions:
 class OuterOptions:
     """Whether an open surface may be closed."""
 
-    outer: BoolProperty(
-        name="Outer Boundaries, Too",
-        description="Also fill the outer boundary of an open surface, not only gaps in it",
-        default=False,
-    )
+    outer: switch("Outer Boundaries, Too", "Also fill the outer boundary of an open surface, not only gaps in it")
 
     def draw_outer(self, layout):
         layout.prop(self, "outer")
@@ -161,46 +125,21 @@ class OuterOptions:
 class HoleOptions:
     """Which of all holes are filled, and how."""
 
-    max_edges: IntProperty(
-        name="Most Edges",
-        description="Fill All Holes: those of more edges stay open. 0: holes of any size are filled",
-        default=0,
-        min=0,
+    max_edges: count("Most Edges", "Fill All Holes: those of more edges stay open. 0: holes of any size are filled")
+    max_length: distance(
+        "Longest", "Fill All Holes: those with a longer boundary stay open. 0: holes of any length are filled"
     )
-    max_length: FloatProperty(
-        name="Longest",
-        description="Fill All Holes: those with a longer boundary stay open. 0: holes of any length are filled",
-        default=0.0,
-        min=0.0,
-        subtype="DISTANCE",
+    max_diagonal: distance(
+        "Widest", "Fill All Holes: those with a longer diagonal of the bounding box stay open. 0: of any width are filled"
     )
-    max_diagonal: FloatProperty(
-        name="Widest",
-        description="Fill All Holes: those with a longer diagonal of the bounding box stay open. 0: of any width are filled",
-        default=0.0,
-        min=0.0,
-        subtype="DISTANCE",
+    max_area: area("Largest Area", "Fill All Holes: those that span a larger area stay open. 0: of any area are filled")
+    except_longest: count(
+        "But the Largest", "Fill All Holes: so many stay open, those with the longest boundaries of each object"
     )
-    max_area: FloatProperty(
-        name="Largest Area",
-        description="Fill All Holes: those that span a larger area stay open. 0: of any area are filled",
-        default=0.0,
-        min=0.0,
-        precision=4,
-    )
-    except_longest: IntProperty(
-        name="But the Largest",
-        description="Fill All Holes: so many stay open, those with the longest boundaries of each object",
-        default=0,
-        min=0,
-    )
-    join: BoolProperty(
-        name="Join Related Loops",
-        description=(
-            "Loops whose common patch bends less than patches of their own get one: the two sides of a gap, "
-            "ends of tubes that face each other"
-        ),
-        default=False,
+    join: switch(
+        "Join Related Loops",
+        "Loops whose common patch bends less than patches of their own get one: the two sides of a gap, "
+        "ends of tubes that face each other",
     )
 
     def draw_limits(self, layout):
@@ -214,19 +153,16 @@ class HoleOptions:
 class JoinOptions:
     """Which loops are joined."""
 
-    groups: EnumProperty(
-        name="Patches",
-        description="Which loops get one patch together",
-        items=(
-            ("ONE", "One for All", "All selected loops of an object get one patch"),
-            (
-                "AUTO",
-                "Where It Bends Less",
-                "Loops whose common patch bends less than patches of their own would; the others are left open. "
-                "Without a selection: of all loops",
-            ),
+    groups: selection(
+        "Patches",
+        "Which loops get one patch together",
+        ("ONE", "One for All", "All selected loops of an object get one patch"),
+        (
+            "AUTO",
+            "Where It Bends Less",
+            "Loops whose common patch bends less than patches of their own would; the others are left open. "
+            "Without a selection: of all loops",
         ),
-        default="ONE",
     )
 
     def draw_groups(self, layout):
@@ -236,20 +172,13 @@ class JoinOptions:
 class BridgeOptions:
     """What a bridge is."""
 
-    width: FloatProperty(
-        name="Bridge Width",
-        description=(
-            "How long the ends of a bridge are along the boundary: the selected runs are made longer or shorter about their "
-            "middles, and one vertex each is enough. 0: as they are selected"
-        ),
-        default=0.0,
-        min=0.0,
-        subtype="DISTANCE",
+    width: distance(
+        "Bridge Width",
+        "How long the ends of a bridge are along the boundary: the selected runs are made longer or shorter about their "
+        "middles, and one vertex each is enough. 0: as they are selected",
     )
-    fill_rest: BoolProperty(
-        name="Fill the Rest",
-        description="Also fill the holes that a bridge leaves beside it; all that is new is faired together",
-        default=False,
+    fill_rest: switch(
+        "Fill the Rest", "Also fill the holes that a bridge leaves beside it; all that is new is faired together"
     )
 
     def draw_bridge(self, layout):
