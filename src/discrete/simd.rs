@@ -90,7 +90,7 @@ impl<const L: usize> Simd<L> {
     }
 }
 
-/// `unrolled!(i in range => { .. })`: the loop over a range within `0..5`, written out. With constants known here, no
+/// `unrolled!(i in range => { .. })`: the loop over a range within `0..9`, written out. With constants known here, no
 /// loop and no index is left, and small matrices live in registers; the optimizer gives up on nested triangles.
 macro_rules! unrolled {
     ($i:ident in $range:expr => $body:block) => {
