@@ -39,7 +39,7 @@ pub extern "C" fn fairmesh_options_init(
     options: *mut fairmesh_options,
     struct_size: usize,
 ) -> fairmesh_status {
-    guarded(core::ptr::null_mut(), || {
+    guarded(core::ptr::null_mut(), |_| {
         init_struct(options, struct_size, &fairmesh_options::standard())
     })
 }
@@ -50,7 +50,7 @@ pub extern "C" fn fairmesh_fill_options_init(
     options: *mut fairmesh_fill_options,
     struct_size: usize,
 ) -> fairmesh_status {
-    guarded(core::ptr::null_mut(), || {
+    guarded(core::ptr::null_mut(), |_| {
         init_struct(options, struct_size, &fairmesh_fill_options::standard())
     })
 }
@@ -61,7 +61,7 @@ pub extern "C" fn fairmesh_bridge_options_init(
     options: *mut fairmesh_bridge_options,
     struct_size: usize,
 ) -> fairmesh_status {
-    guarded(core::ptr::null_mut(), || {
+    guarded(core::ptr::null_mut(), |_| {
         init_struct(options, struct_size, &fairmesh_bridge_options::standard())
     })
 }
@@ -72,7 +72,7 @@ pub extern "C" fn fairmesh_remesh_options_init(
     options: *mut fairmesh_remesh_options,
     struct_size: usize,
 ) -> fairmesh_status {
-    guarded(core::ptr::null_mut(), || {
+    guarded(core::ptr::null_mut(), |_| {
         init_struct(options, struct_size, &fairmesh_remesh_options::standard())
     })
 }

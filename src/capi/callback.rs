@@ -52,6 +52,11 @@ impl HostCallback {
         }
     }
 
+    /// For calls that tell nothing.
+    pub(crate) fn none() -> Self {
+        Self::new(None, core::ptr::null_mut())
+    }
+
     /// The watch begins now.
     pub(crate) fn fresh(&self) -> Self {
         Self::new(self.progress, self.user_data)

@@ -1,14 +1,11 @@
 //! Where points lie on triangles.
 
-use core::mem::size_of;
-use std::sync::Arc;
-
 use super::callback::HostCallback;
 use super::erase::missing;
-use super::guard::{guarded, point};
-use super::input::{IndicesIn, MeshIn};
+use super::guard::guarded;
+use super::input::{MeshIn, optional_list_in};
 use super::memory_bounds;
-use super::outputs::publish;
+use super::outputs::ResultOut;
 use super::results::Content;
 use super::status::*;
 use super::types::*;
@@ -29,30 +26,24 @@ pub extern "C" fn fairmesh_carry_over(
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        let among = IndicesIn::optional(among, Argument(2), &mut aliases)?;
-        check_pointer(points, Argument(3))?;
-        aliases.input(points, size_of::<fairmesh_points>());
-        let points = PointsIn::new(&read(points), Argument(3).start())?;
-        aliases.input(points.array.data, points.array.bytes);
-        check_slot(result, Argument(4), &mut aliases)?;
-        aliases.error(error, Argument(5))?;
-        let positions = mesh.positions.read()?;
-        let triangles = mesh.triangles.rows::<3>()?;
+    guarded(error, |call| {
+        let mesh = MeshIn::new(mesh, Argument(1), call)?;
+        let among = optional_list_in(among, Argument(2), call)?;
+        let points = Points::points_in(&call.read(points, Argument(3))?, Argument(3).start())?;
+        call.input(points.array.data, points.array.bytes);
+        let result = ResultOut::last(result, Argument(4), call)?;
+        let (positions, triangles) = mesh.read()?;
         let points = points.read()?;
-        let listed = among.as_ref().map_or(triangles.len(), IndicesIn::count);
+        let listed = among.map_or(triangles.len(), |list| list.count);
         let bytes = memory_bounds::of_carrying(&mesh, listed, points.len());
-        let _reserve = memory_bounds::reserve(bytes)?;
-        let callback = HostCallback::new(None, core::ptr::null_mut());
-        point();
-        let among = match among {
-            Some(list) => list.read()?.as_flattened().to_vec(),
-            None => (0..triangles.len() as u32).collect(),
-        };
-        let carried = carry_over(&positions, &triangles, &among, &points)
-            .map_err(|error| missing(error, fairmesh_element::Triangle))?;
-        publish(Arc::new(Content::Carried(carried)), result, &callback)
+        result.put(bytes, &HostCallback::none(), |_| {
+            let among = match among {
+                Some(list) => list.list()?.into_owned(),
+                None => (0..triangles.len() as u32).collect(),
+            };
+            carry_over(&positions, &triangles, &among, &points)
+                .map(Content::Carried)
+                .map_err(|error| missing(error, fairmesh_element::Triangle))
+        })
     })
 }

@@ -8,6 +8,18 @@ pub(crate) fn chosen<T>(value: Option<T>, number: u32, of: &str, place: FieldPat
     value.ok_or_else(|| place.refuse(Status::BadEnum, format_args!("{number} is no {of}")))
 }
 
+/// The one of these that has the number.
+pub(crate) fn choose<T>(
+    choices: impl IntoIterator<Item = T>,
+    number_of: impl Fn(&T) -> u32,
+    number: u32,
+    of: &str,
+    place: FieldPath,
+) -> CallResult<T> {
+    let found = choices.into_iter().find(|choice| number_of(choice) == number);
+    chosen(found, number, of, place)
+}
+
 /// A number that may exceed what this machine counts.
 pub(crate) fn count(n: u64) -> usize {
     usize::try_from(n).unwrap_or(usize::MAX)

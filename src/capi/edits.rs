@@ -1,9 +1,7 @@
 //! What is changed of a solver's boundary: the structs, and how they become the library's.
 
-use core::mem::offset_of;
-
-use super::status::{CallResult, Failure, fairmesh_element, fairmesh_status as Status};
-use super::structs::{check_pointer, read};
+use super::choices::{choose, count};
+use super::status::{CallResult, fairmesh_element};
 use super::types::*;
 use super::views::*;
 use fairmesh::{Budget, Edit};
@@ -90,128 +88,86 @@ pub struct fairmesh_bulge_range {
     pub high: f64,
 }
 
-/// Edits, checked; their lists not read.
-pub(crate) struct EditsIn(Vec<EditIn>);
-
+/// An edit, checked; its list not read.
 struct EditIn {
     view: fairmesh_edit,
     kind: fairmesh_edit_kind,
     vertices: Array,
 }
 
-impl EditsIn {
-    /// `check` looks at what else the caller handed over, once for every list: there may be more of them than one check has room for.
-    pub(crate) fn new(
-        edits: *const fairmesh_edit,
-        count: usize,
-        argument: Argument,
-        check: impl Fn(&mut AliasCheck) -> CallResult,
-    ) -> CallResult<Self> {
-        let bytes = bytes(edits, count, argument)?;
-        let mut aliases = AliasCheck::new();
-        aliases.input(edits, bytes);
-        check(&mut aliases)?;
-        let mut checked = try_with_capacity(count)?;
-        for k in 0..count {
-            let edit = EditIn::new(read(edits.wrapping_add(k)), k, argument)?;
-            let mut aliases = AliasCheck::new();
-            aliases.input(edit.vertices.data, edit.vertices.bytes);
-            check(&mut aliases)?;
-            checked.push(edit);
-        }
-        Ok(Self(checked))
+/// Reads edits, arguments 2 and 3 of a function whose last one is the error detail, about a mesh of so many vertices.
+pub(crate) fn edits(
+    edits: *const fairmesh_edit,
+    count: usize,
+    vertices: usize,
+    call: &mut Call,
+) -> CallResult<Vec<Edit>> {
+    check_structs(edits, count, Argument(2), call, "edits")?;
+    call.end(Argument(4))?;
+    let mut checked = try_with_capacity(count)?;
+    for k in 0..count {
+        let place = Argument(2).field(k.wrapping_mul(size_of::<fairmesh_edit>()), "edits");
+        let edit = EditIn::new(read(edits.wrapping_add(k)), place)?;
+        call.late_input(edit.vertices.data, edit.vertices.bytes)?;
+        checked.push(edit);
     }
-
-    pub(crate) fn read(&self, vertices: usize) -> CallResult<Vec<Edit>> {
-        let mut edits = try_with_capacity(self.0.len())?;
-        for edit in &self.0 {
-            edits.push(edit.read(vertices)?);
-        }
-        Ok(edits)
+    let mut edits = try_with_capacity(count)?;
+    for edit in &checked {
+        edits.push(edit.read(vertices)?);
     }
-}
-
-/// Checks where the edits are; how many bytes they have.
-fn bytes(edits: *const fairmesh_edit, count: usize, argument: Argument) -> CallResult<usize> {
-    if count > 0 {
-        check_pointer(edits, argument)?;
-    }
-    let bytes = count.checked_mul(size_of::<fairmesh_edit>());
-    let fits =
-        |bytes: &usize| *bytes <= isize::MAX as usize && (edits as usize).checked_add(*bytes).is_some();
-    bytes.filter(fits).ok_or_else(|| {
-        let why = format_args!("{count} edits are more than memory has room for");
-        Argument(argument.0 + 1)
-            .itself()
-            .refuse(Status::CountOverflow, why)
-    })
+    Ok(edits)
 }
 
 impl EditIn {
-    fn new(view: fairmesh_edit, number: usize, argument: Argument) -> CallResult<Self> {
+    fn new(view: fairmesh_edit, place: FieldPath) -> CallResult<Self> {
         use fairmesh_edit_kind as Kind;
-        let place = argument.field(number.wrapping_mul(size_of::<fairmesh_edit>()), "edits");
-        let kinds = [Kind::Tilt, Kind::Twist, Kind::Bulge, Kind::Move];
-        let at = place.field(offset_of!(fairmesh_edit, kind), "kind");
-        let kind = kinds.into_iter().find(|kind| *kind as u32 == view.kind);
-        let kind = kind.ok_or_else(|| {
-            let number = view.kind;
-            at.refuse(Status::BadEnum, format_args!("{number} is no fairmesh_edit_kind"))
-        })?;
-        let at = place.field(offset_of!(fairmesh_edit, vertices), "vertices");
+        let kind = choose(
+            [Kind::Tilt, Kind::Twist, Kind::Bulge, Kind::Move],
+            |kind| *kind as u32,
+            view.kind,
+            "fairmesh_edit_kind",
+            field!(place, fairmesh_edit.kind),
+        )?;
         let listed = if kind == Kind::Move {
             &view.vertices
         } else {
             &fairmesh_indices::default()
         };
-        let vertices = indices_in(listed, 1, at)?;
+        let vertices = indices_in(listed, 1, field!(place, fairmesh_edit.vertices))?;
         Ok(Self { view, kind, vertices })
     }
 
     fn read(&self, vertices: usize) -> CallResult<Edit> {
         use fairmesh_edit_kind as Kind;
+        const NAMED: &str = "an edit names vertex";
         let fairmesh_edit {
-            vertex,
-            amount,
+            amount: angle,
             falloff,
             rotation,
             centre,
             translation,
             ..
         } = self.view;
-        let known = |vertex: u32| {
-            if (vertex as usize) < vertices {
-                return Ok(vertex);
-            }
-            let why = format_args!("an edit names vertex {vertex}, but there are only {vertices}");
-            let failure = Failure::new(Status::SelectionOutOfRange, why);
-            Err(failure.at(fairmesh_element::Vertex, vertex as usize))
-        };
+        let vertex = || known(self.view.vertex, vertices, fairmesh_element::Vertex, NAMED);
         Ok(match self.kind {
             Kind::Tilt => Edit::Tilt {
-                vertex: known(vertex)?,
-                angle: amount,
+                vertex: vertex()?,
+                angle,
                 falloff,
             },
             Kind::Twist => Edit::Twist {
-                vertex: known(vertex)?,
-                angle: amount,
+                vertex: vertex()?,
+                angle,
                 falloff,
             },
-            Kind::Bulge => Edit::Bulge { amount },
-            Kind::Move => {
-                let mut moved = try_with_capacity(self.vertices.count)?;
-                for k in 0..self.vertices.count {
-                    moved.push(known(self.vertices.index::<1>(k)[0])?);
-                }
-                Edit::Move {
-                    vertices: moved,
-                    rotation,
-                    centre,
-                    translation,
-                    falloff,
-                }
-            }
+            Kind::Bulge => Edit::Bulge { amount: angle },
+            Kind::Move => Edit::Move {
+                vertices: self.vertices.known(vertices, fairmesh_element::Vertex, NAMED)?,
+                rotation,
+                centre,
+                translation,
+                falloff,
+            },
         })
     }
 }
@@ -220,19 +176,15 @@ impl EditIn {
 pub(crate) fn budget(
     view: *const fairmesh_budget,
     argument: Argument,
-    aliases: &mut AliasCheck,
+    call: &mut Call,
 ) -> CallResult<Budget> {
     if view.is_null() {
         return Ok(Budget::default());
     }
-    let given = read_struct(view, argument)?;
-    check_reserved(
-        given.reserved,
-        argument.field(offset_of!(fairmesh_budget, reserved), "reserved"),
-    )?;
-    aliases.input(view, given.struct_size as usize);
+    let given = call.read_struct(view, argument)?;
+    check_reserved(given.reserved, field!(argument, fairmesh_budget.reserved))?;
     Ok(Budget {
-        evaluations: super::choices::count(given.evaluations),
+        evaluations: count(given.evaluations),
         seconds: given.seconds,
         tolerance: given.tolerance,
     })

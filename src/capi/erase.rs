@@ -1,13 +1,11 @@
 //! Triangles deleted or trimmed off, and components of a mesh.
 
-use std::sync::Arc;
-
 use super::callback::HostCallback;
 use super::choices::count;
-use super::guard::{guarded, point};
-use super::input::{IndicesIn, MeshIn};
+use super::guard::guarded;
+use super::input::{MeshIn, list_in, optional_list_in};
 use super::memory_bounds;
-use super::outputs::{of_whole_mesh, publish};
+use super::outputs::{ResultOut, of_whole_mesh};
 use super::results::Content;
 use super::status::*;
 use super::types::*;
@@ -32,24 +30,19 @@ pub extern "C" fn fairmesh_erase(
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        check_pointer(triangles, Argument(2))?;
-        let list = IndicesIn::optional(triangles, Argument(2), &mut aliases)?;
-        check_slot(result, Argument(4), &mut aliases)?;
-        aliases.error(error, Argument(5))?;
-        let positions = mesh.positions.read()?;
-        let triangles = mesh.triangles.rows::<3>()?;
-        let erased = list.map(|list| list.read()).transpose()?;
-        let erased = erased.as_deref().map_or(&[][..], <[[u32; 1]]>::as_flattened);
-        let _reserve = memory_bounds::reserve(memory_bounds::of_erasing(&mesh))?;
-        let callback = HostCallback::new(None, core::ptr::null_mut());
-        point();
-        let left = erase_and_clean(&positions, &triangles, erased, mesh.coincident, count(cleaned));
-        let erased = left.map_err(|error| missing(error, fairmesh_element::Triangle))?;
-        let vertices = positions.len();
-        publish(Arc::new(Content::Erased { erased, vertices }), result, &callback)
+    guarded(error, |call| {
+        let mesh = MeshIn::new(mesh, Argument(1), call)?;
+        let erased = list_in(triangles, Argument(2), call)?;
+        let result = ResultOut::last(result, Argument(4), call)?;
+        let (positions, triangles) = mesh.read()?;
+        let erased = erased.list()?;
+        let bytes = memory_bounds::of_erasing(&mesh);
+        result.put(bytes, &HostCallback::none(), |_| {
+            let left = erase_and_clean(&positions, &triangles, &erased, mesh.coincident, count(cleaned));
+            let erased = left.map_err(|error| missing(error, fairmesh_element::Triangle))?;
+            let vertices = positions.len();
+            Ok(Content::Erased { erased, vertices })
+        })
     })
 }
 
@@ -77,39 +70,34 @@ pub extern "C" fn fairmesh_trim_boundary(
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        let listed = IndicesIn::optional(loops, Argument(2), &mut aliases)?;
+    guarded(error, |call| {
+        let mesh = MeshIn::new(mesh, Argument(1), call)?;
+        let listed = optional_list_in(loops, Argument(2), call)?;
         if most_area.is_nan() || most_area < 0.0 {
             let why = format_args!("most_area is {most_area}: it must be not negative");
             return Err(Argument(4).itself().refuse(fairmesh_status::BadOption, why));
         }
-        check_slot(result, Argument(5), &mut aliases)?;
-        aliases.error(error, Argument(6))?;
-        let positions = mesh.positions.read()?;
-        let triangles = mesh.triangles.rows::<3>()?;
-        let lists = listed.as_ref().map_or(0, IndicesIn::count) * size_of::<usize>();
+        let result = ResultOut::last(result, Argument(5), call)?;
+        let (positions, triangles) = mesh.read()?;
+        let lists = listed.map_or(0, |list| list.count) * size_of::<usize>();
         let bytes = memory_bounds::of_erasing(&mesh).saturating_add(lists);
-        let _reserve = memory_bounds::reserve(bytes)?;
-        let callback = HostCallback::new(None, core::ptr::null_mut());
-        point();
-        let loops = match listed {
-            Some(list) => once_each(list.read()?.as_flattened()),
-            None => holes(&boundary_loops_joined(&positions, &triangles, mesh.coincident)?),
-        };
-        let limits = TrimLimits {
-            triangles: count(most),
-            area: (most_area > 0.0).then_some(most_area),
-        };
-        let trimmed = trim_boundary(&positions, &triangles, &loops, &limits, mesh.coincident)
-            .map_err(|error| missing(error, fairmesh_element::Loop))?;
-        let content = Content::Trimmed {
-            trimmed,
-            vertices: positions.len(),
-            triangles: triangles.len(),
-        };
-        publish(Arc::new(content), result, &callback)
+        result.put(bytes, &HostCallback::none(), |_| {
+            let loops = match listed {
+                Some(list) => once_each(&list.list()?),
+                None => holes(&boundary_loops_joined(&positions, &triangles, mesh.coincident)?),
+            };
+            let limits = TrimLimits {
+                triangles: count(most),
+                area: (most_area > 0.0).then_some(most_area),
+            };
+            let trimmed = trim_boundary(&positions, &triangles, &loops, &limits, mesh.coincident)
+                .map_err(|error| missing(error, fairmesh_element::Loop))?;
+            Ok(Content::Trimmed {
+                trimmed,
+                vertices: positions.len(),
+                triangles: triangles.len(),
+            })
+        })
     })
 }
 
@@ -135,8 +123,8 @@ pub extern "C" fn fairmesh_components(
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        of_whole_mesh(mesh, result, error, |positions, triangles, coincident| {
+    guarded(error, |call| {
+        of_whole_mesh(mesh, result, call, |positions, triangles, coincident| {
             let vertices = positions.len();
             let of = triangle_components(positions, triangles, coincident)?;
             Ok(Content::Components { of, vertices })

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::callback::HostCallback;
-use super::guard::{guarded, point};
-use super::input::{IndicesIn, MeshIn, SelectionIn};
+use super::guard::guarded;
+use super::input::{MeshIn, SelectionIn, optional_list_in};
 use super::memory_bounds;
 use super::option_structs::fairmesh_options;
 use super::options::OptionsIn;
@@ -36,72 +36,84 @@ pub extern "C" fn fairmesh_fair(
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        let selection = SelectionIn::new(selection, Argument(2), &mesh, &mut aliases)?;
-        let asked = OptionsIn::new(options, Argument(3), mesh.vertices(), &mut aliases)?;
-        let out = match positions_out.is_null() {
-            true => None,
-            false => {
-                let out = NumbersOut::points(positions_out, Argument(4))?;
-                out.check_count(mesh.vertices(), Argument(4))?;
-                aliases.input(positions_out, size_of::<fairmesh_points_out>());
-                Some(out)
-            }
-        };
-        let in_place = out.as_ref().is_some_and(|out| out.same_as(&mesh.positions));
-        if let (Some(out), false) = (&out, in_place) {
-            aliases.output(out.array.data, out.array.bytes, Argument(4))?;
-        }
-        let report_out = StructOut::optional(report, Argument(5), &mut aliases)?;
+    guarded(error, |call| {
+        let mesh = MeshIn::new(mesh, Argument(1), call)?;
+        let selection = SelectionIn::new(selection, Argument(2), &mesh, call)?;
+        let asked = OptionsIn::new(options, Argument(3), &mesh, call)?;
+        let out = PositionsOut::new(positions_out, Argument(4), &mesh, call)?;
+        let report_out = StructOut::optional(report, Argument(5), call)?;
         if !result.is_null() {
-            check_slot(result, Argument(6), &mut aliases)?;
+            check_slot(result, Argument(6), call)?;
         }
-        aliases.error(error, Argument(7))?;
+        call.end(Argument(7))?;
 
         let selected = selection.read(&mesh)?;
-        let mut options = asked.read(mesh.vertices(), mesh.coincident)?;
-        let positions = mesh.positions.read()?;
-        let triangles = mesh.triangles.rows::<3>()?;
-        let _reserve = memory_bounds::reserve(memory_bounds::of_fairing(&mesh, &selected, &asked, false)?)?;
-        let callback = asked.callback.fresh();
-        point();
-        let solution = {
-            let mut tell = |progress: &Progress| callback.tell(progress);
-            if out.as_ref().is_some_and(NumbersOut::is_single) {
-                options.output_precision = OutputPrecision::Single;
+        let mut options = asked.read(&mesh)?;
+        if out.as_ref().is_some_and(|out| !out.points.double) {
+            options.output_precision = OutputPrecision::Single;
+        }
+        let bytes = memory_bounds::of_fairing(&mesh, &selected, &asked, false)?;
+        with_memory(bytes, &asked.callback, |watch| {
+            let mut tell = |progress: &Progress| watch.tell(progress);
+            let (positions, triangles) = mesh.read()?;
+            let selection = selected.selection();
+            let solution = fair_with_progress(&positions, &triangles, selection, &options, &mut tell)?;
+            drop((positions, triangles));
+            watch.memory()?;
+            if let Some(out) = &out {
+                out.points
+                    .check_range(solution.positions.iter().copied().enumerate())?;
             }
-            fair_with_progress(&positions, &triangles, selected.selection(), &options, &mut tell)?
-        };
-        drop((positions, triangles));
-        callback.memory()?;
-        if let Some(out) = &out {
-            out.check_range(solution.positions.iter().copied().enumerate())?;
-        }
-        let content = Arc::new(Content::Faired(solution));
-        if !result.is_null() {
-            publish(content.clone(), result, &callback)?;
-        }
-        if let (Some(out), Content::Faired(solution)) = (&out, &*content) {
-            write_positions(out, solution, in_place);
-        }
-        let told = report::report(content.report(0)?);
-        if let Some(out) = report_out {
-            out.write(&told);
-        }
-        Ok(())
+            let content = Arc::new(Content::Faired(solution));
+            if !result.is_null() {
+                publish(content.clone(), result, watch)?;
+            }
+            if let (Some(out), Content::Faired(solution)) = (&out, &*content) {
+                out.write(solution);
+            }
+            if let Some(out) = report_out {
+                out.write(&report::report(content.report(0)?));
+            }
+            Ok(())
+        })
     })
 }
 
-fn write_positions(out: &NumbersOut<3>, solution: &Solution, only_free: bool) {
-    if only_free {
-        for &(v, _) in &solution.mean_curvature {
-            out.set(v as usize, solution.positions[v as usize]);
+/// Where the positions go.
+struct PositionsOut {
+    points: Points,
+    /// Over those that were read: only free vertices are written.
+    in_place: bool,
+}
+
+impl PositionsOut {
+    fn new(
+        out: *const fairmesh_points_out,
+        argument: Argument,
+        mesh: &MeshIn,
+        call: &mut Call,
+    ) -> CallResult<Option<Self>> {
+        if out.is_null() {
+            return Ok(None);
         }
-    } else {
-        for (v, p) in solution.positions.iter().enumerate() {
-            out.set(v, *p);
+        let points = Points::points_out(&call.read(out, argument)?, argument.start())?;
+        points.check_count(mesh.vertices(), argument)?;
+        let in_place = points.same_as(&mesh.positions);
+        if !in_place {
+            call.output(points.array.data, points.array.bytes, argument)?;
+        }
+        Ok(Some(Self { points, in_place }))
+    }
+
+    fn write(&self, solution: &Solution) {
+        if self.in_place {
+            for &(v, _) in &solution.mean_curvature {
+                self.points.set(v as usize, solution.positions[v as usize]);
+            }
+        } else {
+            for (v, p) in solution.positions.iter().enumerate() {
+                self.points.set(v, *p);
+            }
         }
     }
 }
@@ -114,23 +126,20 @@ pub extern "C" fn fairmesh_mean_curvature(
     out: *const fairmesh_scalars_out,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        let out = NumbersOut::scalars(out, Argument(2))?;
+    guarded(error, |call| {
+        let mesh = MeshIn::new(mesh, Argument(1), call)?;
+        let out = Numbers::scalars_out(&call.read(out, Argument(2))?, Argument(2).start())?;
         out.check_count(mesh.vertices(), Argument(2))?;
-        aliases.output(out.array.data, out.array.bytes, Argument(2))?;
-        aliases.error(error, Argument(3))?;
-        let positions = mesh.positions.read()?;
-        let triangles = mesh.triangles.rows::<3>()?;
-        let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 0))?;
-        let callback = HostCallback::new(None, core::ptr::null_mut());
-        point();
-        let curvature = mean_curvature_joined(&positions, &triangles, mesh.coincident)?;
-        callback.memory()?;
-        out.check_range(curvature.iter().map(|h| [*h]).enumerate())?;
-        curvature.iter().enumerate().for_each(|(v, h)| out.set(v, [*h]));
-        Ok(())
+        let out = last(out, Argument(2), call)?;
+        let (positions, triangles) = mesh.read()?;
+        let bytes = memory_bounds::of_whole_mesh(&mesh, 0);
+        with_memory(bytes, &HostCallback::none(), |watch| {
+            let curvature = mean_curvature_joined(&positions, &triangles, mesh.coincident)?;
+            watch.memory()?;
+            out.check_range(curvature.iter().map(|h| [*h]).enumerate())?;
+            curvature.iter().enumerate().for_each(|(v, h)| out.set(v, [*h]));
+            Ok(())
+        })
     })
 }
 
@@ -147,20 +156,16 @@ pub extern "C" fn fairmesh_self_intersections(
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        let among = IndicesIn::optional(among, Argument(2), &mut aliases)?;
-        check_slot(result, Argument(3), &mut aliases)?;
-        aliases.error(error, Argument(4))?;
-        let positions = mesh.positions.read()?;
-        let triangles = mesh.triangles.rows::<3>()?;
-        let asked = among.map(|list| list.read()).transpose()?;
-        let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 0))?;
-        let callback = HostCallback::new(None, core::ptr::null_mut());
-        point();
-        let asked = asked.as_deref().map(<[[u32; 1]]>::as_flattened);
-        let pairs = self_intersections(&positions, &triangles, asked)?;
-        publish(Arc::new(Content::Intersections(pairs)), result, &callback)
+    guarded(error, |call| {
+        let mesh = MeshIn::new(mesh, Argument(1), call)?;
+        let among = optional_list_in(among, Argument(2), call)?;
+        let result = ResultOut::last(result, Argument(3), call)?;
+        let (positions, triangles) = mesh.read()?;
+        let among = among.map(|list| list.list()).transpose()?;
+        let bytes = memory_bounds::of_whole_mesh(&mesh, 0);
+        result.put(bytes, &HostCallback::none(), |_| {
+            let pairs = self_intersections(&positions, &triangles, among.as_deref())?;
+            Ok(Content::Intersections(pairs))
+        })
     })
 }

@@ -1,10 +1,8 @@
 //! Boundary loops, hole filling, which loops to join, remeshing.
 
-use std::sync::Arc;
-
 use super::callback::HostCallback;
 use super::fill_options::{FillOptionsIn, read_remesh_options};
-use super::guard::{guarded, point};
+use super::guard::guarded;
 use super::input::{MeshIn, SelectionIn};
 use super::memory_bounds;
 use super::option_structs::{fairmesh_fill_options, fairmesh_options, fairmesh_remesh_options};
@@ -15,7 +13,6 @@ use super::results::Content;
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use fairmesh::Progress;
 use fairmesh::{
     FillOptions, Join, Options, RemeshOptions, boundary_loops_joined, fill_holes_with_progress,
     remesh_region, rim_roughness, suggest_joins,
@@ -28,8 +25,8 @@ pub extern "C" fn fairmesh_boundary_loops(
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        of_whole_mesh(mesh, result, error, |positions, triangles, coincident| {
+    guarded(error, |call| {
+        of_whole_mesh(mesh, result, call, |positions, triangles, coincident| {
             Ok(Content::Loops {
                 loops: boundary_loops_joined(positions, triangles, coincident)?,
                 roughness: Vec::new(),
@@ -47,8 +44,8 @@ pub extern "C" fn fairmesh_rim_roughness(
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        of_whole_mesh(mesh, result, error, |positions, triangles, coincident| {
+    guarded(error, |call| {
+        of_whole_mesh(mesh, result, call, |positions, triangles, coincident| {
             let bytes = memory_bounds::of_rims(positions.len(), triangles.len());
             let _reserve = memory_bounds::reserve(bytes)?;
             Ok(Content::Loops {
@@ -72,37 +69,22 @@ pub extern "C" fn fairmesh_fill_holes(
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        let fill = FillOptionsIn::new(fill, Argument(2), &mut aliases)?;
-        let asked = OptionsIn::new(options, Argument(3), mesh.vertices(), &mut aliases)?;
-        check_slot(result, Argument(4), &mut aliases)?;
-        aliases.error(error, Argument(5))?;
-
-        let options = asked.read(mesh.vertices(), mesh.coincident)?;
-        let positions = mesh.positions.read()?;
-        let triangles = mesh.triangles.rows::<3>()?;
-        let fill = fill.read(options)?;
-        let callback = asked.callback.fresh();
-        let sizes = sizes_of(&mesh, &positions, &triangles, &fill)?;
-        let bytes = memory_bounds::of_filling(
-            &mesh,
-            &sizes.limited(fill.max_new_vertices),
-            &asked,
-            fill.rim.relax > 0,
-        );
-        let _reserve = memory_bounds::reserve(bytes)?;
-        point();
-        let mut tell = |progress: &Progress| callback.tell(progress);
-        let filled = fill_holes_with_progress(&positions, &triangles, &fill, &mut tell)?;
-        callback.memory()?;
-        let content = Content::Filled {
-            filled,
-            vertices: positions.len(),
-            triangles: triangles.len(),
-        };
-        publish(Arc::new(content), result, &callback)
+    guarded(error, |call| {
+        let mesh = MeshIn::new(mesh, Argument(1), call)?;
+        let fill = FillOptionsIn::new(fill, Argument(2), call)?;
+        let asked = OptionsIn::new(options, Argument(3), &mesh, call)?;
+        let result = ResultOut::last(result, Argument(4), call)?;
+        let (positions, triangles) = mesh.read()?;
+        let fill = fill.read(asked.read(&mesh)?)?;
+        let sizes = sizes_of(&mesh, &positions, &triangles, &fill)?.limited(fill.max_new_vertices);
+        let bytes = memory_bounds::of_filling(&mesh, &sizes, &asked, fill.rim.relax > 0);
+        result.put(bytes, &asked.callback, |tell| {
+            Ok(Content::Filled {
+                filled: fill_holes_with_progress(&positions, &triangles, &fill, tell)?,
+                vertices: positions.len(),
+                triangles: triangles.len(),
+            })
+        })
     })
 }
 
@@ -115,14 +97,11 @@ pub extern "C" fn fairmesh_suggest_joins(
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        let fill = FillOptionsIn::new(fill, Argument(2), &mut aliases)?;
-        check_slot(result, Argument(3), &mut aliases)?;
-        aliases.error(error, Argument(4))?;
-        let positions = mesh.positions.read()?;
-        let triangles = mesh.triangles.rows::<3>()?;
+    guarded(error, |call| {
+        let mesh = MeshIn::new(mesh, Argument(1), call)?;
+        let fill = FillOptionsIn::new(fill, Argument(2), call)?;
+        let result = ResultOut::last(result, Argument(3), call)?;
+        let (positions, triangles) = mesh.read()?;
         let fill = FillOptions {
             join: Join::Auto,
             ..fill.read(Options {
@@ -131,11 +110,10 @@ pub extern "C" fn fairmesh_suggest_joins(
             })?
         };
         let sizes = sizes_of(&mesh, &positions, &triangles, &fill)?;
-        let _reserve = memory_bounds::reserve(memory_bounds::of_joining(&mesh, &sizes))?;
-        let callback = HostCallback::new(None, core::ptr::null_mut());
-        point();
-        let joins = suggest_joins(&positions, &triangles, &fill)?;
-        publish(Arc::new(Content::Joins(joins)), result, &callback)
+        let bytes = memory_bounds::of_joining(&mesh, &sizes);
+        result.put(bytes, &HostCallback::none(), |_| {
+            Ok(Content::Joins(suggest_joins(&positions, &triangles, &fill)?))
+        })
     })
 }
 
@@ -146,12 +124,11 @@ fn sizes_of(
     triangles: &[[u32; 3]],
     asked: &FillOptions,
 ) -> CallResult<PatchSizes> {
-    let callback = HostCallback::new(None, core::ptr::null_mut());
-    let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(mesh, 1))?;
-    let loops = boundary_loops_joined(positions, triangles, mesh.coincident)?;
-    let sizes = patch_sizes::sizes(positions, &loops, asked)?;
-    callback.memory()?;
-    Ok(sizes)
+    let look = memory_bounds::of_whole_mesh(mesh, 1);
+    with_memory(look, &HostCallback::none(), |_| {
+        let loops = boundary_loops_joined(positions, triangles, mesh.coincident)?;
+        patch_sizes::sizes(positions, &loops, asked)
+    })
 }
 
 /// Triangulates a region anew, by edge lengths as beside it, without moving the surface. To fair the new mesh, take the list
@@ -164,25 +141,20 @@ pub extern "C" fn fairmesh_remesh(
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        let selection = SelectionIn::new(selection, Argument(2), &mesh, &mut aliases)?;
-        let asked = read_remesh_options(options, Argument(3), &mut aliases)?;
-        check_slot(result, Argument(4), &mut aliases)?;
-        aliases.error(error, Argument(5))?;
-        let selected = selection.read(&mesh)?;
-        let positions = mesh.positions.read()?;
-        let triangles = mesh.triangles.rows::<3>()?;
-        let _reserve =
-            memory_bounds::reserve(memory_bounds::of_remeshing(&mesh, &selected, asked.max_vertices)?)?;
-        let callback = HostCallback::new(None, core::ptr::null_mut());
-        point();
+    guarded(error, |call| {
+        let mesh = MeshIn::new(mesh, Argument(1), call)?;
+        let selection = SelectionIn::new(selection, Argument(2), &mesh, call)?;
         let asked = RemeshOptions {
             coincident: mesh.coincident,
-            ..asked
+            ..read_remesh_options(options, Argument(3), call)?
         };
-        let remeshed = remesh_region(&positions, &triangles, selected.selection(), &asked)?;
-        publish(Arc::new(Content::Remeshed(remeshed)), result, &callback)
+        let result = ResultOut::last(result, Argument(4), call)?;
+        let selected = selection.read(&mesh)?;
+        let (positions, triangles) = mesh.read()?;
+        let bytes = memory_bounds::of_remeshing(&mesh, &selected, asked.max_vertices)?;
+        result.put(bytes, &HostCallback::none(), |_| {
+            let remeshed = remesh_region(&positions, &triangles, selected.selection(), &asked)?;
+            Ok(Content::Remeshed(remeshed))
+        })
     })
 }

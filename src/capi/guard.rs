@@ -4,22 +4,25 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::memory;
 use super::status::{CallResult, Failure, fairmesh_error, fairmesh_status};
-use super::views::aligned;
+use super::views::{Call, aligned};
 
 /// Runs an exported function.
-pub(crate) fn guarded(error: *mut fairmesh_error, body: impl FnOnce() -> CallResult) -> fairmesh_status {
+pub(crate) fn guarded(
+    error: *mut fairmesh_error,
+    body: impl FnOnce(&mut Call) -> CallResult,
+) -> fairmesh_status {
     let mut body = Some(body);
-    run(error, &mut || body.take().map_or(Ok(()), |body| body()))
+    run(error, &mut |call| body.take().map_or(Ok(()), |body| body(call)))
 }
 
 /// The same, compiled once for all of them.
-fn run(error: *mut fairmesh_error, body: &mut dyn FnMut() -> CallResult) -> fairmesh_status {
+fn run(error: *mut fairmesh_error, body: &mut dyn FnMut(&mut Call) -> CallResult) -> fairmesh_status {
     // Without it there is no place to say more than the status.
     if !aligned(error, align_of::<fairmesh_error>()) {
         return fairmesh_status::Misaligned;
     }
     let failures = memory::failures();
-    let mut result = caught(body).unwrap_or_else(Err);
+    let mut result = caught(|| body(&mut Call::new(error))).unwrap_or_else(Err);
     if let Err(failure) = &result
         && failure.status == fairmesh_status::Threads
         && memory::failures() != failures

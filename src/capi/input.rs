@@ -1,19 +1,19 @@
 //! What the caller hands over, checked and turned into what the library takes.
 
-use core::mem::offset_of;
 use std::borrow::Cow;
 
+use super::choices::choose;
 use super::status::{CallResult, Failure, fairmesh_element, fairmesh_status as Status};
 use super::types::*;
 use super::views::{
-    AliasCheck, Argument, Array, FieldPath, NumbersIn, PointsIn, check_count, check_pointer, check_reserved,
-    entries, indices_in, read_struct, try_with_capacity,
+    Argument, Array, Call, FieldPath, Numbers, Points, check_count, check_reserved, entries, field,
+    indices_in, known, try_with_capacity,
 };
 use fairmesh::{BoundaryCurvature, BoundaryNormals, Coincident, Selection};
 
 /// A mesh, checked but not read.
 pub(crate) struct MeshIn {
-    pub positions: PointsIn,
+    pub positions: Points,
     pub triangles: Array,
     pub coincident: Coincident,
 }
@@ -22,42 +22,26 @@ fn coincident(view: &fairmesh_mesh, argument: Argument) -> CallResult<Coincident
     let join = Coincident::Join {
         within: view.coincident_within,
     };
-    let number = view.coincident;
-    let chosen = [join, Coincident::Separate]
-        .into_iter()
-        .find(|coincident| coincident.entry().number() == number)
-        .ok_or_else(|| {
-            let place = argument.field(offset_of!(fairmesh_mesh, coincident), "coincident");
-            place.refuse(
-                Status::BadEnum,
-                format_args!("{number} is no fairmesh_coincident"),
-            )
-        })?;
+    let chosen = choose(
+        [join, Coincident::Separate],
+        |choice| choice.entry().number(),
+        view.coincident,
+        "fairmesh_coincident",
+        field!(argument, fairmesh_mesh.coincident),
+    )?;
     // The distance has to be one even where it is not used.
-    join.validate().map_err(|error| {
-        let place = argument.field(offset_of!(fairmesh_mesh, coincident_within), "coincident_within");
-        place.blame(Failure::from(error))
-    })?;
+    let place = field!(argument, fairmesh_mesh.coincident_within);
+    join.validate()
+        .map_err(|error| place.blame(Failure::from(error)))?;
     Ok(chosen)
 }
 
 impl MeshIn {
-    pub(crate) fn new(
-        mesh: *const fairmesh_mesh,
-        argument: Argument,
-        aliases: &mut AliasCheck,
-    ) -> CallResult<Self> {
-        let view = read_struct(mesh, argument)?;
+    pub(crate) fn new(mesh: *const fairmesh_mesh, argument: Argument, call: &mut Call) -> CallResult<Self> {
+        let view = call.read_struct(mesh, argument)?;
         let coincident = coincident(&view, argument)?;
-        let positions = PointsIn::new(
-            &view.positions,
-            argument.field(offset_of!(fairmesh_mesh, positions), "positions"),
-        )?;
-        let triangles = indices_in(
-            &view.triangles,
-            3,
-            argument.field(offset_of!(fairmesh_mesh, triangles), "triangles"),
-        )?;
+        let positions = Points::points_in(&view.positions, field!(argument, fairmesh_mesh.positions))?;
+        let triangles = indices_in(&view.triangles, 3, field!(argument, fairmesh_mesh.triangles))?;
         for (count, what) in [
             (positions.array.count, "vertices"),
             (triangles.count, "triangles"),
@@ -67,9 +51,8 @@ impl MeshIn {
                 return Err(Failure::new(Status::TooLarge, why));
             }
         }
-        aliases.input(mesh, size_of::<fairmesh_mesh>());
-        aliases.input(positions.array.data, positions.array.bytes);
-        aliases.input(triangles.data, triangles.bytes);
+        call.input(positions.array.data, positions.array.bytes);
+        call.input(triangles.data, triangles.bytes);
         Ok(Self {
             positions,
             triangles,
@@ -79,6 +62,12 @@ impl MeshIn {
 
     pub(crate) fn vertices(&self) -> usize {
         self.positions.array.count
+    }
+
+    /// Positions and triangles as the library wants them.
+    #[allow(clippy::type_complexity, reason = "two arrays")]
+    pub(crate) fn read<'a>(&self) -> CallResult<(Cow<'a, [[f64; 3]]>, Cow<'a, [[u32; 3]]>)> {
+        Ok((self.positions.read()?, self.triangles.rows()?))
     }
 }
 
@@ -91,7 +80,7 @@ pub(crate) struct SelectionIn {
 /// A selection as the library takes it.
 pub(crate) enum SelectedBy {
     Mask(Vec<bool>),
-    Vertices(Cow<'static, [[u32; 1]]>),
+    Vertices(Cow<'static, [u32]>),
     Faces(Vec<u32>),
 }
 
@@ -100,37 +89,31 @@ impl SelectionIn {
         selection: *const fairmesh_selection,
         argument: Argument,
         mesh: &MeshIn,
-        aliases: &mut AliasCheck,
+        call: &mut Call,
     ) -> CallResult<Self> {
         use fairmesh_selection_kind as Kind;
-        let nothing = Array {
-            data: core::ptr::null_mut(),
-            count: 0,
-            stride: 1,
-            bytes: 0,
-        };
+        let nothing = indices_in(&fairmesh_indices::default(), 1, argument.start())?;
         if selection.is_null() {
             return Ok(Self {
                 kind: Kind::Interior,
                 array: nothing,
             });
         }
-        let view = read_struct(selection, argument)?;
-        let kind = match view.kind {
-            0 => Kind::Interior,
-            1 => Kind::FreeMask,
-            2 => Kind::FixedMask,
-            3 => Kind::FreeVertices,
-            4 => Kind::Faces,
-            other => {
-                let place = argument.field(offset_of!(fairmesh_selection, kind), "kind");
-                return Err(place.refuse(
-                    Status::BadEnum,
-                    format_args!("{other} is no fairmesh_selection_kind"),
-                ));
-            }
-        };
-        let place = argument.field(offset_of!(fairmesh_selection, count), "count");
+        let view = call.read_struct(selection, argument)?;
+        let kind = choose(
+            [
+                Kind::Interior,
+                Kind::FreeMask,
+                Kind::FixedMask,
+                Kind::FreeVertices,
+                Kind::Faces,
+            ],
+            |kind| *kind as u32,
+            view.kind,
+            "fairmesh_selection_kind",
+            field!(argument, fairmesh_selection.kind),
+        )?;
+        let place = field!(argument, fairmesh_selection.count);
         let array = match kind {
             Kind::Interior => {
                 check_count(view.count, 0, place)?;
@@ -142,8 +125,7 @@ impl SelectionIn {
             }
             Kind::FreeVertices | Kind::Faces => entries(&view, 4, argument)?,
         };
-        aliases.input(selection, size_of::<fairmesh_selection>());
-        aliases.input(array.data, array.bytes);
+        call.input(array.data, array.bytes);
         Ok(Self { kind, array })
     }
 
@@ -163,35 +145,26 @@ impl SelectionIn {
                 SelectedBy::Mask(mask)
             }
             Kind::FreeVertices => {
-                let list = array.rows::<1>()?;
-                Self::check(list.iter().flatten(), mesh.vertices(), fairmesh_element::Vertex)?;
+                let list = array.list()?;
+                for &v in &*list {
+                    known(v, mesh.vertices(), fairmesh_element::Vertex, NAMED)?;
+                }
                 SelectedBy::Vertices(list)
             }
             Kind::Faces => {
-                let mut faces = try_with_capacity(array.count)?;
-                faces.extend((0..array.count).map(|k| array.index::<1>(k)[0]));
-                Self::check(faces.iter(), mesh.triangles.count, fairmesh_element::Triangle)?;
-                SelectedBy::Faces(faces)
+                SelectedBy::Faces(array.known(mesh.triangles.count, fairmesh_element::Triangle, NAMED)?)
             }
         })
     }
-
-    fn check<'a>(list: impl Iterator<Item = &'a u32>, count: usize, kind: fairmesh_element) -> CallResult {
-        for &index in list {
-            if index as usize >= count {
-                let why = format_args!("the selection names element {index}, but there are only {count}");
-                return Err(Failure::new(Status::SelectionOutOfRange, why).at(kind, index as usize));
-            }
-        }
-        Ok(())
-    }
 }
+
+const NAMED: &str = "the selection names element";
 
 impl SelectedBy {
     pub(crate) fn selection(&self) -> Selection<'_> {
         match self {
             Self::Mask(mask) => Selection::Mask(mask),
-            Self::Vertices(list) => Selection::Vertices(list.as_flattened()),
+            Self::Vertices(list) => Selection::Vertices(list),
             Self::Faces(list) => Selection::Faces(list),
         }
     }
@@ -203,7 +176,7 @@ impl SelectedBy {
             Self::Mask(mask) => marked.extend_from_slice(mask),
             Self::Vertices(list) => {
                 marked.resize(mesh.vertices(), false);
-                list.iter().for_each(|v| marked[v[0] as usize] = true);
+                list.iter().for_each(|v| marked[*v as usize] = true);
             }
             Self::Faces(list) => {
                 marked.resize(mesh.vertices(), false);
@@ -219,40 +192,96 @@ impl SelectedBy {
     }
 }
 
-/// A list of indices that may be left out, checked but not read.
-pub(crate) struct IndicesIn(Array);
+/// A list of indices, checked but not read.
+pub(crate) fn list_in(
+    view: *const fairmesh_indices,
+    argument: Argument,
+    call: &mut Call,
+) -> CallResult<Array> {
+    let array = indices_in(&call.read(view, argument)?, 1, argument.start())?;
+    call.input(array.data, array.bytes);
+    Ok(array)
+}
 
-impl IndicesIn {
-    pub(crate) fn optional(
-        view: *const fairmesh_indices,
-        argument: Argument,
-        aliases: &mut AliasCheck,
-    ) -> CallResult<Option<Self>> {
-        if view.is_null() {
-            return Ok(None);
+/// One that may be left out.
+pub(crate) fn optional_list_in(
+    view: *const fairmesh_indices,
+    argument: Argument,
+    call: &mut Call,
+) -> CallResult<Option<Array>> {
+    (!view.is_null())
+        .then(|| list_in(view, argument, call))
+        .transpose()
+}
+
+/// Rows of `N` numbers, each for a vertex: of a list, or without one for all vertices of the mesh. Checked but not read.
+struct Given<const N: usize> {
+    values: Numbers<N>,
+    vertices: Array,
+}
+
+impl<const N: usize> Given<N> {
+    /// `count` is the place of the rows' count, which is `wanted`.
+    fn new(
+        values: Numbers<N>,
+        vertices: Array,
+        wanted: usize,
+        count: FieldPath,
+        call: &mut Call,
+    ) -> CallResult<Self> {
+        check_count(values.array.count, wanted, count)?;
+        call.input(values.array.data, values.array.bytes);
+        call.input(vertices.data, vertices.bytes);
+        Ok(Self { values, vertices })
+    }
+
+    /// As many as the list has, or as the mesh has vertices.
+    fn wanted(list: &Array, vertices: usize) -> usize {
+        if list.data.is_null() { vertices } else { list.count }
+    }
+
+    /// The rows, of those without a list only what `is_given`; `what` says what a vertex gets.
+    fn read(
+        &self,
+        vertices: usize,
+        what: &str,
+        is_given: impl Fn(&[f64; N]) -> bool,
+    ) -> CallResult<Vec<(u32, [f64; N])>> {
+        let listed = !self.vertices.data.is_null();
+        let count = self.values.array.count;
+        let is_row = |k: &usize| listed || is_given(&self.values.get(*k));
+        let mut given = try_with_capacity((0..count).filter(is_row).count())?;
+        for k in (0..count).filter(is_row) {
+            let vertex = if listed {
+                self.vertices.index::<1>(k)[0]
+            } else {
+                k as u32
+            };
+            known(vertex, vertices, fairmesh_element::Vertex, what)?;
+            given.push((vertex, self.values.get(k)));
         }
-        check_pointer(view, argument)?;
-        aliases.input(view, size_of::<fairmesh_indices>());
-        // SAFETY: not NULL, aligned.
-        let array = indices_in(&unsafe { view.read() }, 1, argument.start())?;
-        aliases.input(array.data, array.bytes);
-        Ok(Some(Self(array)))
+        Ok(given)
     }
+}
 
-    pub(crate) fn count(&self) -> usize {
-        self.0.count
+/// Single numbers, all of which have to be such; otherwise `why` stands around the vertex.
+fn checked(
+    given: Vec<(u32, [f64; 1])>,
+    is_good: fn(f64) -> bool,
+    why: [&str; 2],
+) -> CallResult<Vec<(u32, f64)>> {
+    if let Some((vertex, _)) = given.iter().find(|(_, [x])| !is_good(*x)) {
+        let [before, behind] = why;
+        let failure = Failure::new(Status::BadOption, format_args!("{before} {vertex} {behind}"));
+        return Err(failure.at(fairmesh_element::Vertex, *vertex as usize));
     }
-
-    pub(crate) fn read<'a>(&self) -> CallResult<Cow<'a, [[u32; 1]]>> {
-        self.0.rows::<1>()
-    }
+    Ok(given.into_iter().map(|(vertex, [x])| (vertex, x)).collect())
 }
 
 /// Boundary normals, checked but not read.
 pub(crate) struct NormalsIn {
     kind: fairmesh_boundary_normals_kind,
-    vectors: Option<PointsIn>,
-    vertices: Array,
+    given: Option<Given<3>>,
 }
 
 impl NormalsIn {
@@ -260,187 +289,106 @@ impl NormalsIn {
         view: &fairmesh_boundary_normals,
         base: FieldPath,
         vertices: usize,
-        aliases: &mut AliasCheck,
+        call: &mut Call,
     ) -> CallResult<Self> {
         use fairmesh_boundary_normals_kind as Kind;
-        check_reserved(
-            view.reserved,
-            base.field(offset_of!(fairmesh_boundary_normals, reserved), "reserved"),
+        check_reserved(view.reserved, field!(base, fairmesh_boundary_normals.reserved))?;
+        let kind = choose(
+            [Kind::Fitted, Kind::Averaged, Kind::Given],
+            |kind| *kind as u32,
+            view.kind,
+            "fairmesh_boundary_normals_kind",
+            field!(base, fairmesh_boundary_normals.kind),
         )?;
-        let kind = match view.kind {
-            0 => Kind::Fitted,
-            1 => Kind::Averaged,
-            2 => Kind::Given,
-            other => {
-                let place = base.field(offset_of!(fairmesh_boundary_normals, kind), "kind");
-                return Err(place.refuse(
-                    Status::BadEnum,
-                    format_args!("{other} is no fairmesh_boundary_normals_kind"),
-                ));
-            }
-        };
         let list = indices_in(
             &view.vertices,
             1,
-            base.field(offset_of!(fairmesh_boundary_normals, vertices), "vertices"),
+            field!(base, fairmesh_boundary_normals.vertices),
         )?;
-        if kind != Kind::Given {
-            return Ok(Self {
-                kind,
-                vectors: None,
-                vertices: list,
-            });
+        let mut given = None;
+        if kind == Kind::Given {
+            let place = field!(base, fairmesh_boundary_normals.vectors);
+            let vectors = Points::points_in(&view.vectors, place)?;
+            let (count, wanted) = (
+                field!(place, fairmesh_points.count),
+                Given::<3>::wanted(&list, vertices),
+            );
+            given = Some(Given::new(vectors, list, wanted, count, call)?);
         }
-        let place = base.field(offset_of!(fairmesh_boundary_normals, vectors), "vectors");
-        let vectors = PointsIn::new(&view.vectors, place)?;
-        let count = place.field(offset_of!(fairmesh_points, count), "count");
-        check_given(&vectors.array, &list, vertices, count, aliases)?;
-        Ok(Self {
-            kind,
-            vectors: Some(vectors),
-            vertices: list,
-        })
+        Ok(Self { kind, given })
     }
 
     pub(crate) fn read(&self, vertices: usize) -> CallResult<BoundaryNormals> {
-        let Some(vectors) = &self.vectors else {
-            return Ok(match self.kind {
-                fairmesh_boundary_normals_kind::Averaged => BoundaryNormals::Averaged,
-                _ => BoundaryNormals::Fitted,
-            });
-        };
-        let listed = !self.vertices.data.is_null();
-        let count = vectors.array.count;
-        let is_given = |n: &[f64; 3]| listed || *n != [0.0; 3];
-        let mut given = try_with_capacity((0..count).filter(|&k| is_given(&vectors.get(k))).count())?;
-        for k in 0..count {
-            let n = vectors.get(k);
-            let vertex = if listed {
-                self.vertices.index::<1>(k)[0]
-            } else {
-                k as u32
-            };
-            if vertex as usize >= vertices {
-                let why =
-                    format_args!("a normal is given for vertex {vertex}, but there are only {vertices}");
-                let failure = Failure::new(Status::SelectionOutOfRange, why);
-                return Err(failure.at(fairmesh_element::Vertex, vertex as usize));
+        Ok(match (&self.given, self.kind) {
+            (Some(given), _) => {
+                let is_given = |n: &[f64; 3]| *n != [0.0; 3];
+                BoundaryNormals::Given(given.read(vertices, "a normal is given for vertex", is_given)?)
             }
-            if is_given(&n) {
-                given.push((vertex, n));
-            }
-        }
-        Ok(BoundaryNormals::Given(given))
+            (None, fairmesh_boundary_normals_kind::Averaged) => BoundaryNormals::Averaged,
+            (None, _) => BoundaryNormals::Fitted,
+        })
     }
 }
 
-/// Checks that there is a row for each vertex of the list, or without a list for each of the mesh, and takes note of both arrays.
-fn check_given(
-    rows: &Array,
-    list: &Array,
-    vertices: usize,
-    count: FieldPath,
-    aliases: &mut AliasCheck,
-) -> CallResult {
-    let wanted = if list.data.is_null() { vertices } else { list.count };
-    check_count(rows.count, wanted, count)?;
-    aliases.input(rows.data, rows.bytes);
-    aliases.input(list.data, list.bytes);
-    Ok(())
-}
-
 /// Mean curvatures at the boundary, checked but not read; None: fitted.
-pub(crate) struct CurvatureIn(Option<GivenNumbers>);
-
-struct GivenNumbers {
-    values: NumbersIn<1>,
-    vertices: Array,
-}
+pub(crate) struct CurvatureIn(Option<Given<1>>);
 
 impl CurvatureIn {
     pub(crate) fn new(
         view: &fairmesh_boundary_curvature,
         base: FieldPath,
         vertices: usize,
-        aliases: &mut AliasCheck,
+        call: &mut Call,
     ) -> CallResult<Self> {
         use fairmesh_boundary_curvature_kind as Kind;
-        check_reserved(
-            view.reserved,
-            base.field(offset_of!(fairmesh_boundary_curvature, reserved), "reserved"),
+        check_reserved(view.reserved, field!(base, fairmesh_boundary_curvature.reserved))?;
+        let list = indices_in(
+            &view.vertices,
+            1,
+            field!(base, fairmesh_boundary_curvature.vertices),
         )?;
-        let place = base.field(offset_of!(fairmesh_boundary_curvature, vertices), "vertices");
-        let list = indices_in(&view.vertices, 1, place)?;
-        if view.kind == Kind::Estimated as u32 {
+        let kind = choose(
+            [Kind::Estimated, Kind::Given],
+            |kind| *kind as u32,
+            view.kind,
+            "fairmesh_boundary_curvature_kind",
+            field!(base, fairmesh_boundary_curvature.kind),
+        )?;
+        if kind == Kind::Estimated {
             return Ok(Self(None));
         }
-        if view.kind != Kind::Given as u32 {
-            let place = base.field(offset_of!(fairmesh_boundary_curvature, kind), "kind");
-            let why = format_args!("{} is no fairmesh_boundary_curvature_kind", view.kind);
-            return Err(place.refuse(Status::BadEnum, why));
-        }
-        let place = base.field(offset_of!(fairmesh_boundary_curvature, values), "values");
-        let values = NumbersIn::<1>::new(&view.values, place)?;
-        let count = place.field(offset_of!(fairmesh_numbers, count), "count");
-        check_given(&values.array, &list, vertices, count, aliases)?;
-        let vertices = list;
-        Ok(Self(Some(GivenNumbers { values, vertices })))
+        let place = field!(base, fairmesh_boundary_curvature.values);
+        let values = Numbers::numbers_in(&view.values, place)?;
+        let (count, wanted) = (
+            field!(place, fairmesh_numbers.count),
+            Given::<1>::wanted(&list, vertices),
+        );
+        Given::new(values, list, wanted, count, call).map(|given| Self(Some(given)))
     }
 
     pub(crate) fn read(&self, vertices: usize) -> CallResult<BoundaryCurvature> {
-        let Some(view) = &self.0 else {
+        let Some(given) = &self.0 else {
             return Ok(BoundaryCurvature::Estimated);
         };
-        let listed = !view.vertices.data.is_null();
-        let count = view.values.array.count;
-        let is_given = |h: f64| listed || !h.is_nan();
-        let value = |k| view.values.get(k)[0];
-        let mut given = try_with_capacity((0..count).filter(|&k| is_given(value(k))).count())?;
-        for k in (0..count).filter(|&k| is_given(value(k))) {
-            let (h, vertex) = match listed {
-                true => (value(k), view.vertices.index::<1>(k)[0]),
-                false => (value(k), k as u32),
-            };
-            let refused = |status, why| {
-                let failure = Failure::new(status, why);
-                Err(failure.at(fairmesh_element::Vertex, vertex as usize))
-            };
-            if vertex as usize >= vertices {
-                let why =
-                    format_args!("a curvature is given for vertex {vertex}, but there are only {vertices}");
-                return refused(Status::SelectionOutOfRange, why);
-            }
-            if !h.is_finite() {
-                let why = format_args!("the mean curvature given for vertex {vertex} is not finite");
-                return refused(Status::BadOption, why);
-            }
-            given.push((vertex, h));
-        }
-        Ok(BoundaryCurvature::Given(given))
+        let given = given.read(vertices, "a curvature is given for vertex", |[h]| !h.is_nan())?;
+        let why = ["the mean curvature given for vertex", "is not finite"];
+        checked(given, f64::is_finite, why).map(BoundaryCurvature::Given)
     }
 }
 
 /// Numbers for single boundary loops, checked but not read; None: there are none.
-pub(crate) struct LoopsIn(Option<GivenNumbers>);
+pub(crate) struct LoopsIn(Option<Given<1>>);
 
 impl LoopsIn {
-    pub(crate) fn new(
-        view: &fairmesh_loop_continuity,
-        base: FieldPath,
-        aliases: &mut AliasCheck,
-    ) -> CallResult<Self> {
-        let place = base.field(offset_of!(fairmesh_loop_continuity, vertices), "vertices");
-        let vertices = indices_in(&view.vertices, 1, place)?;
+    pub(crate) fn new(view: &fairmesh_loop_continuity, base: FieldPath, call: &mut Call) -> CallResult<Self> {
+        let vertices = indices_in(&view.vertices, 1, field!(base, fairmesh_loop_continuity.vertices))?;
         if view.values.count == 0 && vertices.count == 0 {
             return Ok(Self(None));
         }
-        let place = base.field(offset_of!(fairmesh_loop_continuity, values), "values");
-        let values = NumbersIn::<1>::new(&view.values, place)?;
-        let count = place.field(offset_of!(fairmesh_numbers, count), "count");
-        check_count(values.array.count, vertices.count, count)?;
-        aliases.input(values.array.data, values.array.bytes);
-        aliases.input(vertices.data, vertices.bytes);
-        Ok(Self(Some(GivenNumbers { values, vertices })))
+        let place = field!(base, fairmesh_loop_continuity.values);
+        let values = Numbers::numbers_in(&view.values, place)?;
+        let count = field!(place, fairmesh_numbers.count);
+        Given::new(values, vertices, vertices.count, count, call).map(|given| Self(Some(given)))
     }
 
     /// Whether there is any.
@@ -449,30 +397,15 @@ impl LoopsIn {
     }
 
     pub(crate) fn read(&self, vertices: usize) -> CallResult<Vec<(u32, f64)>> {
-        let Some(view) = &self.0 else {
+        let Some(given) = &self.0 else {
             return Ok(Vec::new());
         };
-        let mut given = try_with_capacity(view.vertices.count)?;
-        for k in 0..view.vertices.count {
-            let (vertex, [blend]) = (view.vertices.index::<1>(k)[0], view.values.get(k));
-            let refused = |status, why| {
-                let failure = Failure::new(status, why);
-                Err(failure.at(fairmesh_element::Vertex, vertex as usize))
-            };
-            if vertex as usize >= vertices {
-                let why = format_args!(
-                    "a continuity is given for the loop of vertex {vertex}, but there are only {vertices}"
-                );
-                return refused(Status::SelectionOutOfRange, why);
-            }
-            if !(0.0..=1.0).contains(&blend) {
-                let why = format_args!(
-                    "the continuity given for the loop of vertex {vertex} is not between 0 and 1"
-                );
-                return refused(Status::BadOption, why);
-            }
-            given.push((vertex, blend));
-        }
-        Ok(given)
+        let what = "a continuity is given for the loop of vertex";
+        let given = given.read(vertices, what, |_| true)?;
+        let why = [
+            "the continuity given for the loop of vertex",
+            "is not between 0 and 1",
+        ];
+        checked(given, |blend| (0.0..=1.0).contains(&blend), why)
     }
 }

@@ -1,11 +1,9 @@
 //! Solvers for interactive hosts: edits of the boundary, and the surface frame by frame.
 
-use super::edits::{EditsIn, budget, fairmesh_budget, fairmesh_bulge_range, fairmesh_edit, fairmesh_frame};
-use super::guard::{guarded, point};
-use super::handles;
-use super::memory_bounds;
+use super::edits::{self, budget, fairmesh_budget, fairmesh_bulge_range, fairmesh_edit, fairmesh_frame};
+use super::outputs::put_record;
 use super::report;
-use super::solvers::Shared;
+use super::solvers::with_solver;
 use super::status::*;
 use super::types::*;
 use super::views::*;
@@ -21,18 +19,9 @@ pub extern "C" fn fairmesh_solver_edit(
     edit_count: usize,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        let checked = EditsIn::new(edits, edit_count, Argument(2), |aliases| {
-            aliases.error(error, Argument(4))
-        })?;
-        let mut solver = shared.take()?;
-        let edits = checked.read(solver.vertices)?;
-        let _reserve = memory_bounds::reserve(solver.need)?;
-        let callback = solver.callback.fresh();
-        point();
-        solver.session.edit(&edits)?;
-        callback.memory()
+    with_solver(solver, error, |solver, call| {
+        let edits = edits::edits(edits, edit_count, solver.vertices, call)?;
+        solver.work(|session, _| Ok(session.edit(&edits)?))
     })
 }
 
@@ -46,20 +35,17 @@ pub extern "C" fn fairmesh_solver_update(
     frame: *mut fairmesh_frame,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        let limit = budget(limit, Argument(2), &mut aliases)?;
-        let out = StructOut::new(frame, Argument(3), &mut aliases)?;
-        aliases.error(error, Argument(4))?;
-        let told = shared.work(|session, _| Ok(session.update(&limit)?))?;
-        out.write(&fairmesh_frame {
-            struct_size: size_of::<fairmesh_frame>() as u32,
-            is_settled: told.is_settled.into(),
-            evaluations: told.evaluations as u64,
-            step: told.step,
-        });
-        Ok(())
+    with_solver(solver, error, |solver, call| {
+        let limit = budget(limit, Argument(2), call)?;
+        put_record(frame, Argument(3), call, || {
+            let told = solver.work(|session, _| Ok(session.update(&limit)?))?;
+            Ok(fairmesh_frame {
+                struct_size: size_of::<fairmesh_frame>() as u32,
+                is_settled: told.is_settled.into(),
+                evaluations: told.evaluations as u64,
+                step: told.step,
+            })
+        })
     })
 }
 
@@ -71,15 +57,11 @@ pub extern "C" fn fairmesh_solver_finish(
     report: *mut fairmesh_report,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        let report_out = StructOut::optional(report, Argument(2), &mut aliases)?;
-        aliases.error(error, Argument(3))?;
-        let told = shared.work(|session, tell| Ok(report::report(&session.finish(Some(tell))?.report)))?;
-        if let Some(out) = report_out {
-            out.write(&told);
-        }
+    with_solver(solver, error, |solver, call| {
+        let out = StructOut::optional(report, Argument(2), call)?;
+        call.end(Argument(3))?;
+        let told = solver.work(|session, tell| Ok(report::report(&session.finish(Some(tell))?.report)))?;
+        out.iter().for_each(|out| out.write(&told));
         Ok(())
     })
 }
@@ -92,18 +74,15 @@ pub extern "C" fn fairmesh_solver_bulge_range(
     range: *mut fairmesh_bulge_range,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        let out = StructOut::new(range, Argument(2), &mut aliases)?;
-        aliases.error(error, Argument(3))?;
-        let [low, high] = shared.work(|session, tell| Ok(session.bulge_range(Some(tell))?))?;
-        out.write(&fairmesh_bulge_range {
-            struct_size: size_of::<fairmesh_bulge_range>() as u32,
-            reserved: 0,
-            low,
-            high,
-        });
-        Ok(())
+    with_solver(solver, error, |solver, call| {
+        put_record(range, Argument(2), call, || {
+            let [low, high] = solver.work(|session, tell| Ok(session.bulge_range(Some(tell))?))?;
+            Ok(fairmesh_bulge_range {
+                struct_size: size_of::<fairmesh_bulge_range>() as u32,
+                reserved: 0,
+                low,
+                high,
+            })
+        })
     })
 }

@@ -1,11 +1,9 @@
 //! Which loops are filled, and which of them together: the structs, and how they become the library's.
 
-use core::mem::offset_of;
-
-use super::choices::{chosen, count};
+use super::choices::{choose, count};
 use super::status::{CallResult, fairmesh_status as Status};
 use super::types::*;
-use super::views::{AliasCheck, Array, FieldPath, check_reserved, indices_in, try_with_capacity};
+use super::views::{Array, Call, FieldPath, check_reserved, field, indices_in, try_with_capacity};
 use fairmesh::{Join, LoopFilter, Place};
 
 /// Loops that get one patch together: ends of tubes, the two sides of a gap, a hole and the island in it. All zero: none.
@@ -76,29 +74,24 @@ pub(crate) struct JoinIn {
 }
 
 impl JoinIn {
-    pub(crate) fn new(view: &fairmesh_join, base: FieldPath, aliases: &mut AliasCheck) -> CallResult<Self> {
-        check_reserved(
-            view.reserved,
-            base.field(offset_of!(fairmesh_join, reserved), "reserved"),
+    pub(crate) fn new(view: &fairmesh_join, base: FieldPath, call: &mut Call) -> CallResult<Self> {
+        check_reserved(view.reserved, field!(base, fairmesh_join.reserved))?;
+        let kind = choose(
+            [Join::None, Join::Groups(Vec::new()), Join::Auto],
+            |kind| kind.entry().number(),
+            view.kind,
+            "fairmesh_join_kind",
+            field!(base, fairmesh_join.kind),
         )?;
-        let kinds = [Join::None, Join::Groups(Vec::new()), Join::Auto];
-        let kind = kinds.into_iter().find(|kind| kind.entry().number() == view.kind);
-        let place = base.field(offset_of!(fairmesh_join, kind), "kind");
-        let kind = chosen(kind, view.kind, "fairmesh_join_kind", place)?;
-        let is_listed = matches!(kind, Join::Groups(_));
-        let read = |list: &fairmesh_indices, place| {
-            let list = if is_listed {
-                *list
-            } else {
-                fairmesh_indices::default()
-            };
-            indices_in(&list, 1, place)
-        };
-        let loops = read(&view.loops, base.field(offset_of!(fairmesh_join, loops), "loops"))?;
-        let place = base.field(offset_of!(fairmesh_join, starts), "starts");
-        let starts = read(&view.starts, place)?;
-        aliases.input(loops.data, loops.bytes);
-        aliases.input(starts.data, starts.bytes);
+        let place = field!(base, fairmesh_join.starts);
+        let (mut loops, mut starts) = Default::default();
+        if let Join::Groups(_) = kind {
+            (loops, starts) = (view.loops, view.starts);
+        }
+        let loops = indices_in(&loops, 1, field!(base, fairmesh_join.loops))?;
+        let starts = indices_in(&starts, 1, place)?;
+        call.input(loops.data, loops.bytes);
+        call.input(starts.data, starts.bytes);
         Ok(Self {
             kind,
             loops,
@@ -144,11 +137,10 @@ impl FilterIn {
         view: &fairmesh_loop_filter,
         base: FieldPath,
         max_edges: u64,
-        aliases: &mut AliasCheck,
+        call: &mut Call,
     ) -> CallResult<Self> {
-        let place = base.field(offset_of!(fairmesh_loop_filter, components), "components");
-        let components = indices_in(&view.components, 1, place)?;
-        aliases.input(components.data, components.bytes);
+        let components = indices_in(&view.components, 1, field!(base, fairmesh_loop_filter.components))?;
+        call.input(components.data, components.bytes);
         let bound = |value: f64| (value != 0.0).then_some(value);
         let filter = LoopFilter {
             max_edges: (max_edges != u64::MAX).then(|| count(max_edges)),
@@ -157,10 +149,7 @@ impl FilterIn {
             max_diagonal: bound(view.max_diagonal),
             except_longest: count(view.except_longest),
             components: None,
-            within: within(
-                &view.within,
-                base.field(offset_of!(fairmesh_loop_filter, within), "within"),
-            )?,
+            within: within(&view.within, field!(base, fairmesh_loop_filter.within))?,
         };
         Ok(Self { filter, components })
     }
@@ -189,21 +178,19 @@ impl FilterIn {
 }
 
 fn within(view: &fairmesh_place, base: FieldPath) -> CallResult<Option<Place>> {
-    let reserved = base.field(offset_of!(fairmesh_place, reserved), "reserved");
-    check_reserved(view.reserved, reserved)?;
+    check_reserved(view.reserved, field!(base, fairmesh_place.reserved))?;
     let (centre, radius) = (view.centre, view.radius);
     let (low, high) = (view.low, view.high);
-    let kinds = [
-        None,
-        Some(Place::Ball { centre, radius }),
-        Some(Place::Box { low, high }),
-    ];
-    let number = |kind: &Option<Place>| {
-        kind.map_or(fairmesh_place_kind::Everywhere as u32, |place| {
-            place.entry().number()
-        })
-    };
-    let kind = kinds.into_iter().find(|kind| number(kind) == view.kind);
-    let place = base.field(offset_of!(fairmesh_place, kind), "kind");
-    chosen(kind, view.kind, "fairmesh_place_kind", place)
+    let everywhere = fairmesh_place_kind::Everywhere as u32;
+    choose(
+        [
+            None,
+            Some(Place::Ball { centre, radius }),
+            Some(Place::Box { low, high }),
+        ],
+        |kind| kind.map_or(everywhere, |place| place.entry().number()),
+        view.kind,
+        "fairmesh_place_kind",
+        field!(base, fairmesh_place.kind),
+    )
 }

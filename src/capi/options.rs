@@ -1,21 +1,19 @@
 //! Options of the fairing: how they become the library's.
 
-use core::mem::offset_of;
-
 use super::callback::HostCallback;
-use super::choices::chosen;
-use super::input::{CurvatureIn, LoopsIn, NormalsIn};
+use super::choices::choose;
+use super::input::{CurvatureIn, LoopsIn, MeshIn, NormalsIn};
 use super::option_structs::fairmesh_options;
 use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::types::*;
-use super::views::{AliasCheck, Argument, FieldPath, check_reserved, read_struct};
-use fairmesh::{Coincident, Error, Estimate, Options, PaperOptions, Solver, Target};
+use super::views::{Argument, Call, FieldPath, check_reserved, field};
+use fairmesh::{Error, Estimate, Options, PaperOptions, Solver, Target};
 
 /// Where the options are that the library's errors name.
 fn place_of(argument: Argument, option: &str) -> Option<FieldPath> {
     let place = fairmesh_options::place(argument, option)?;
     Some(match option {
-        "target" => place.field(offset_of!(fairmesh_target, constant), "constant"),
+        "target" => field!(place, fairmesh_target.constant),
         _ => place,
     })
 }
@@ -48,31 +46,20 @@ impl OptionsIn {
     pub(crate) fn new(
         options: *const fairmesh_options,
         argument: Argument,
-        vertices: usize,
-        aliases: &mut AliasCheck,
+        mesh: &MeshIn,
+        call: &mut Call,
     ) -> CallResult<Self> {
-        let view = if options.is_null() {
-            fairmesh_options::standard()
-        } else {
-            read_struct(options, argument)?
-        };
-        let place = argument.field(offset_of!(fairmesh_options, boundary_normals), "boundary_normals");
-        let normals = NormalsIn::new(&view.boundary_normals, place, vertices, aliases)?;
-        let place = argument.field(
-            offset_of!(fairmesh_options, boundary_curvature),
-            "boundary_curvature",
-        );
-        let curvature = CurvatureIn::new(&view.boundary_curvature, place, vertices, aliases)?;
-        let place = argument.field(offset_of!(fairmesh_options, loop_continuity), "loop_continuity");
-        let loops = LoopsIn::new(&view.loop_continuity, place, aliases)?;
+        let view = call.read_options(options, argument, fairmesh_options::standard)?;
+        let place = field!(argument, fairmesh_options.boundary_normals);
+        let normals = NormalsIn::new(&view.boundary_normals, place, mesh.vertices(), call)?;
+        let place = field!(argument, fairmesh_options.boundary_curvature);
+        let curvature = CurvatureIn::new(&view.boundary_curvature, place, mesh.vertices(), call)?;
+        let place = field!(argument, fairmesh_options.loop_continuity);
+        let loops = LoopsIn::new(&view.loop_continuity, place, call)?;
         let asked = read_options(&view, argument)?;
         asked
             .validate()
             .map_err(|error| refused(error, argument, place_of))?;
-        aliases.input(
-            options,
-            size_of::<fairmesh_options>() * usize::from(!options.is_null()),
-        );
         Ok(Self {
             normals,
             curvature,
@@ -91,11 +78,8 @@ impl OptionsIn {
         if self.options.solver == Solver::Fast {
             return Ok(());
         }
-        let place = argument.field(offset_of!(fairmesh_options, solver), "solver");
-        Err(place.refuse(
-            Status::BadOption,
-            format_args!("only the fast solver runs in steps"),
-        ))
+        let why = format_args!("only the fast solver runs in steps");
+        Err(field!(argument, fairmesh_options.solver).refuse(Status::BadOption, why))
     }
 
     /// Whether curvature is to be continued.
@@ -103,50 +87,51 @@ impl OptionsIn {
         self.options.continuity > 0.0 || self.loops.are_given()
     }
 
-    /// With what is given per vertex of a mesh of so many.
-    pub(crate) fn read(&self, vertices: usize, coincident: Coincident) -> CallResult<Options> {
+    /// With what is given per vertex of the mesh.
+    pub(crate) fn read(&self, mesh: &MeshIn) -> CallResult<Options> {
+        let vertices = mesh.vertices();
         Ok(Options {
             boundary_normals: self.normals.read(vertices)?,
             boundary_curvature: self.curvature.read(vertices)?,
             loop_continuity: self.loops.read(vertices)?,
-            coincident,
+            coincident: mesh.coincident,
             ..self.options.clone()
         })
     }
 }
 
 fn read_options(view: &fairmesh_options, argument: Argument) -> CallResult<Options> {
-    let place = argument.field(offset_of!(fairmesh_options, target), "target");
     Ok(Options {
-        target: target(&view.target, place)?,
+        target: target(&view.target, field!(argument, fairmesh_options.target))?,
         solver: solver(view, argument)?,
         ..view.read_options(argument)?
     })
 }
 
 pub(crate) fn target(view: &fairmesh_target, base: FieldPath) -> CallResult<Target> {
-    check_reserved(
-        view.reserved,
-        base.field(offset_of!(fairmesh_target, reserved), "reserved"),
-    )?;
-    let target = [
-        Target::Harmonic,
-        Target::Constant(view.constant),
-        Target::MinimalEnergy,
-    ]
-    .into_iter()
-    .find(|target| target.entry().number() == view.kind);
-    let place = base.field(offset_of!(fairmesh_target, kind), "kind");
-    chosen(target, view.kind, "fairmesh_target_kind", place)
+    check_reserved(view.reserved, field!(base, fairmesh_target.reserved))?;
+    choose(
+        [
+            Target::Harmonic,
+            Target::Constant(view.constant),
+            Target::MinimalEnergy,
+        ],
+        |target| target.entry().number(),
+        view.kind,
+        "fairmesh_target_kind",
+        field!(base, fairmesh_target.kind),
+    )
 }
 
 fn solver(view: &fairmesh_options, argument: Argument) -> CallResult<Solver> {
-    let kinds = [Solver::Fast, Solver::Paper(PaperOptions::default())];
-    let kind = kinds
-        .into_iter()
-        .find(|kind| kind.entry().number() == view.solver);
-    let place = argument.field(offset_of!(fairmesh_options, solver), "solver");
-    match chosen(kind, view.solver, "fairmesh_solver_kind", place)? {
+    let kind = choose(
+        [Solver::Fast, Solver::Paper(PaperOptions::default())],
+        |kind| kind.entry().number(),
+        view.solver,
+        "fairmesh_solver_kind",
+        field!(argument, fairmesh_options.solver),
+    )?;
+    match kind {
         Solver::Fast => Ok(Solver::Fast),
         Solver::Paper(_) => Ok(Solver::Paper(PaperOptions {
             estimate: estimate(view, argument)?,
@@ -157,13 +142,15 @@ fn solver(view: &fairmesh_options, argument: Argument) -> CallResult<Solver> {
 
 fn estimate(view: &fairmesh_options, argument: Argument) -> CallResult<Estimate> {
     let iterations = view.paper_estimate_iterations as usize;
-    let estimate = [
-        Estimate::Alternating { iterations },
-        Estimate::GaussSeidel { sweeps: iterations },
-        Estimate::ConjugateGradients { iterations },
-    ]
-    .into_iter()
-    .find(|estimate| estimate.entry().number() == view.paper_estimate);
-    let place = argument.field(offset_of!(fairmesh_options, paper_estimate), "paper_estimate");
-    chosen(estimate, view.paper_estimate, "fairmesh_estimate", place)
+    choose(
+        [
+            Estimate::Alternating { iterations },
+            Estimate::GaussSeidel { sweeps: iterations },
+            Estimate::ConjugateGradients { iterations },
+        ],
+        |estimate| estimate.entry().number(),
+        view.paper_estimate,
+        "fairmesh_estimate",
+        field!(argument, fairmesh_options.paper_estimate),
+    )
 }

@@ -19,11 +19,8 @@ pub extern "C" fn fairmesh_result_info(
     info: *mut fairmesh_info,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, aliases| {
-        let out = StructOut::new(info, Argument(2), aliases)?;
-        aliases.error(error, Argument(3))?;
-        out.write(&content.info());
-        Ok(())
+    read_result(result, error, |content, call| {
+        put_record(info, Argument(2), call, || Ok(content.info()))
     })
 }
 
@@ -35,11 +32,10 @@ pub extern "C" fn fairmesh_result_report(
     report: *mut fairmesh_report,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, aliases| {
-        let out = StructOut::new(report, Argument(3), aliases)?;
-        aliases.error(error, Argument(4))?;
-        out.write(&report::report(content.report(index)?));
-        Ok(())
+    read_result(result, error, |content, call| {
+        put_record(report, Argument(3), call, || {
+            Ok(report::report(content.report(index)?))
+        })
     })
 }
 
@@ -51,11 +47,8 @@ pub extern "C" fn fairmesh_result_level(
     level: *mut fairmesh_level,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, aliases| {
-        let out = StructOut::new(level, Argument(3), aliases)?;
-        aliases.error(error, Argument(4))?;
-        out.write(&content.level(index)?);
-        Ok(())
+    read_result(result, error, |content, call| {
+        put_record(level, Argument(3), call, || content.level(index))
     })
 }
 
@@ -69,11 +62,8 @@ pub extern "C" fn fairmesh_result_component(
     component: *mut fairmesh_component,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, aliases| {
-        let out = StructOut::new(component, Argument(4), aliases)?;
-        aliases.error(error, Argument(5))?;
-        out.write(&content.component(index, number)?);
-        Ok(())
+    read_result(result, error, |content, call| {
+        put_record(component, Argument(4), call, || content.component(index, number))
     })
 }
 
@@ -88,11 +78,10 @@ pub extern "C" fn fairmesh_result_attempt(
     attempt: *mut fairmesh_attempt,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, aliases| {
-        let out = StructOut::new(attempt, Argument(5), aliases)?;
-        aliases.error(error, Argument(6))?;
-        out.write(&content.attempt(index, component, number)?);
-        Ok(())
+    read_result(result, error, |content, call| {
+        put_record(attempt, Argument(5), call, || {
+            content.attempt(index, component, number)
+        })
     })
 }
 
@@ -107,11 +96,10 @@ pub extern "C" fn fairmesh_result_continuity(
     continuity: *mut fairmesh_continuity,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, aliases| {
-        let out = StructOut::new(continuity, Argument(5), aliases)?;
-        aliases.error(error, Argument(6))?;
-        out.write(&content.continuity(index, component, number)?);
-        Ok(())
+    read_result(result, error, |content, call| {
+        put_record(continuity, Argument(5), call, || {
+            content.continuity(index, component, number)
+        })
     })
 }
 
@@ -123,11 +111,8 @@ pub extern "C" fn fairmesh_result_loop(
     boundary_loop: *mut fairmesh_loop,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, aliases| {
-        let out = StructOut::new(boundary_loop, Argument(3), aliases)?;
-        aliases.error(error, Argument(4))?;
-        out.write(&content.boundary_loop(index)?);
-        Ok(())
+    read_result(result, error, |content, call| {
+        put_record(boundary_loop, Argument(3), call, || content.boundary_loop(index))
     })
 }
 
@@ -139,11 +124,8 @@ pub extern "C" fn fairmesh_result_fill_report(
     report: *mut fairmesh_fill_report,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, aliases| {
-        let out = StructOut::new(report, Argument(3), aliases)?;
-        aliases.error(error, Argument(4))?;
-        out.write(&content.filled_loop(index)?);
-        Ok(())
+    read_result(result, error, |content, call| {
+        put_record(report, Argument(3), call, || content.filled_loop(index))
     })
 }
 
@@ -155,11 +137,8 @@ pub extern "C" fn fairmesh_result_suggestion(
     suggestion: *mut fairmesh_join_suggestion,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, aliases| {
-        let out = StructOut::new(suggestion, Argument(3), aliases)?;
-        aliases.error(error, Argument(4))?;
-        out.write(&content.suggestion(index)?);
-        Ok(())
+    read_result(result, error, |content, call| {
+        put_record(suggestion, Argument(3), call, || content.suggestion(index))
     })
 }
 
@@ -170,11 +149,8 @@ pub extern "C" fn fairmesh_result_bridge(
     report: *mut fairmesh_bridge_report,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, aliases| {
-        let out = StructOut::new(report, Argument(2), aliases)?;
-        aliases.error(error, Argument(3))?;
-        out.write(&content.bridge()?);
-        Ok(())
+    read_result(result, error, |content, call| {
+        put_record(report, Argument(2), call, || content.bridge())
     })
 }
 
@@ -186,11 +162,8 @@ pub extern "C" fn fairmesh_result_bump(
     bump: *mut fairmesh_bump,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, aliases| {
-        let out = StructOut::new(bump, Argument(3), aliases)?;
-        aliases.error(error, Argument(4))?;
-        out.write(&content.bump(index)?);
-        Ok(())
+    read_result(result, error, |content, call| {
+        put_record(bump, Argument(3), call, || content.bump(index))
     })
 }
 
@@ -201,10 +174,9 @@ pub extern "C" fn fairmesh_result_positions(
     out: *const fairmesh_points_out,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, aliases| {
-        let out = NumbersOut::points(out, Argument(2))?;
-        aliases.output(out.array.data, out.array.bytes, Argument(2))?;
-        aliases.error(error, Argument(3))?;
+    read_result(result, error, |content, call| {
+        let out = Points::points_out(&call.read(out, Argument(2))?, Argument(2).start())?;
+        let out = last(out, Argument(2), call)?;
         put_positions(&out, content.positions()?, Argument(2))
     })
 }
@@ -216,17 +188,15 @@ pub extern "C" fn fairmesh_result_triangles(
     out: *const fairmesh_indices_out,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, aliases| {
-        let out = TrianglesOut::new(out, Argument(2))?;
-        aliases.output(out.0.data, out.0.bytes, Argument(2))?;
-        aliases.error(error, Argument(3))?;
+    read_result(result, error, |content, call| {
+        let view = call.read(out, Argument(2))?;
+        let out = triangles_out(&view, Argument(2))?;
+        call.output(out.data, out.bytes, Argument(2))?;
+        call.end(Argument(3))?;
         let triangles = content.triangles()?;
-        check_count(
-            out.0.count,
-            triangles.len(),
-            Argument(2).field(size_of::<usize>(), "count"),
-        )?;
-        triangles.iter().enumerate().for_each(|(k, t)| out.set(k, *t));
+        let place = field!(Argument(2), fairmesh_indices_out.count);
+        check_count(out.count, triangles.len(), place)?;
+        triangles.iter().enumerate().for_each(|(k, t)| out.put(k, *t));
         Ok(())
     })
 }
@@ -239,10 +209,9 @@ pub extern "C" fn fairmesh_result_scalars(
     out: *const fairmesh_scalars_out,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, aliases| {
-        let out = NumbersOut::scalars(out, Argument(3))?;
-        aliases.output(out.array.data, out.array.bytes, Argument(3))?;
-        aliases.error(error, Argument(4))?;
+    read_result(result, error, |content, call| {
+        let out = Numbers::scalars_out(&call.read(out, Argument(3))?, Argument(3).start())?;
+        let out = last(out, Argument(3), call)?;
         let (values, vertices) = content.scalars(which)?;
         put_scalars(&out, values, vertices, Argument(3))
     })
@@ -256,10 +225,9 @@ pub extern "C" fn fairmesh_result_vectors(
     out: *const fairmesh_points_out,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, aliases| {
-        let out = NumbersOut::points(out, Argument(3))?;
-        aliases.output(out.array.data, out.array.bytes, Argument(3))?;
-        aliases.error(error, Argument(4))?;
+    read_result(result, error, |content, call| {
+        let out = Points::points_out(&call.read(out, Argument(3))?, Argument(3).start())?;
+        let out = last(out, Argument(3), call)?;
         let (count, vector) = content.vectors(which)?;
         out.check_count(count, Argument(3))?;
         (0..count).for_each(|k| out.set(k, vector(k)));
@@ -279,22 +247,22 @@ pub extern "C" fn fairmesh_result_list(
     size: *mut usize,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, aliases| {
+    read_result(result, error, |content, call| {
         let out = list_out(out, capacity)?;
         check_pointer(size, Argument(6))?;
-        aliases.output(out.data, out.bytes, Argument(4))?;
-        aliases.output(size.cast(), size_of::<usize>(), Argument(6))?;
-        aliases.error(error, Argument(7))?;
+        call.output(out.data, out.bytes, Argument(4))?;
+        call.output(size, size_of::<usize>(), Argument(6))?;
+        call.end(Argument(7))?;
         let (count, entry) = content.list(which, index)?;
-        if !out.data.is_null() && count > capacity {
-            write(size, count);
+        write(size, count);
+        if out.data.is_null() {
+            return Ok(());
+        }
+        if count > capacity {
             let why = format_args!("there is room for {capacity}, but there are {count}");
             return Err(Argument(5).itself().refuse(Status::BufferTooSmall, why));
         }
-        if !out.data.is_null() {
-            (0..count).for_each(|k| put_index(&out, k, entry(k)));
-        }
-        write(size, count);
+        (0..count).for_each(|k| out.put(k, [entry(k)]));
         Ok(())
     })
 }
@@ -302,7 +270,7 @@ pub extern "C" fn fairmesh_result_list(
 /// Frees a result. NULL is allowed.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_result_free(result: *mut fairmesh_result) -> fairmesh_status {
-    guarded(core::ptr::null_mut(), || {
+    guarded(core::ptr::null_mut(), |_| {
         if !result.is_null() {
             handles::get::<_, Content>(result, Argument(1))?;
             handles::remove(result);
@@ -315,12 +283,12 @@ pub extern "C" fn fairmesh_result_free(result: *mut fairmesh_result) -> fairmesh
 fn read_result(
     result: *const fairmesh_result,
     error: *mut fairmesh_error,
-    body: impl FnOnce(&Content, &mut AliasCheck) -> CallResult,
+    body: impl FnOnce(&Content, &mut Call) -> CallResult,
 ) -> fairmesh_status {
-    guarded(error, || {
+    guarded(error, |call| {
         let content = handles::get::<_, Content>(result, Argument(1))?;
         let _reserve = memory_bounds::reserve(memory_bounds::STANDING)?;
         point();
-        body(&content, &mut AliasCheck::new())
+        body(&content, call)
     })
 }

@@ -1,20 +1,18 @@
 //! Regions deleted and filled.
 
-use std::sync::Arc;
-
 use super::fill_options::FillOptionsIn;
-use super::guard::{guarded, point};
+use super::guard::guarded;
 use super::input::{MeshIn, SelectedBy, SelectionIn};
 use super::memory_bounds;
 use super::option_structs::{fairmesh_fill_options, fairmesh_options};
 use super::options::OptionsIn;
-use super::outputs::publish;
+use super::outputs::{ResultOut, with_memory};
 use super::patch_sizes::{self, PatchSizes};
 use super::results::Content;
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use fairmesh::{FillOptions, Join, Loops, Progress, boundary_loops_joined, refill_region_with_progress};
+use fairmesh::{FillOptions, Join, Loops, boundary_loops_joined, refill_region_with_progress};
 
 use fairmesh_status as Status;
 
@@ -35,47 +33,38 @@ pub extern "C" fn fairmesh_refill(
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        let selection = SelectionIn::new(selection, Argument(2), &mesh, &mut aliases)?;
-        let fill = FillOptionsIn::new(fill, Argument(3), &mut aliases)?;
-        let asked = OptionsIn::new(options, Argument(4), mesh.vertices(), &mut aliases)?;
-        check_slot(result, Argument(5), &mut aliases)?;
-        aliases.error(error, Argument(6))?;
+    guarded(error, |call| {
+        let mesh = MeshIn::new(mesh, Argument(1), call)?;
+        let selection = SelectionIn::new(selection, Argument(2), &mesh, call)?;
+        let fill = FillOptionsIn::new(fill, Argument(3), call)?;
+        let asked = OptionsIn::new(options, Argument(4), &mesh, call)?;
+        let result = ResultOut::last(result, Argument(5), call)?;
 
         let selected = selection.read(&mesh)?;
-        let options = asked.read(mesh.vertices(), mesh.coincident)?;
-        let positions = mesh.positions.read()?;
-        let triangles = mesh.triangles.rows::<3>()?;
+        let (positions, triangles) = mesh.read()?;
         let filling = FillOptions {
             loops: Loops::Chosen(Vec::new()),
             join: Join::None,
             guides: Vec::new(),
-            ..fill.read(options)?
+            ..fill.read(asked.read(&mesh)?)?
         };
-        let callback = asked.callback.fresh();
-        let sizes = {
-            let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 1))?;
-            let sizes = sizes_of(&mesh, &selected, &positions, &triangles, &filling)?;
-            callback.memory()?;
-            sizes.limited(filling.max_new_vertices)
-        };
-        let relaxed = filling.rim.relax > 0;
-        let bytes = memory_bounds::of_filling(&mesh, &sizes, &asked, relaxed)
-            .saturating_add(memory_bounds::of_whole_mesh(&mesh, 1));
-        let _reserve = memory_bounds::reserve(bytes)?;
-        point();
-        let mut tell = |progress: &Progress| callback.tell(progress);
-        let selection = selected.selection();
-        let refilled = refill_region_with_progress(&positions, &triangles, selection, &filling, &mut tell)?;
-        callback.memory()?;
-        let refilled = refilled.ok_or_else(|| {
-            let why =
-                format_args!("deleted and filled, the region gets no fair patch that intersects nothing");
-            Failure::new(Status::NoFairPatch, why)
+        let look = memory_bounds::of_whole_mesh(&mesh, 1);
+        let sizes = with_memory(look, &asked.callback, |_| {
+            sizes_of(&mesh, &selected, &positions, &triangles, &filling)
         })?;
-        publish(Arc::new(Content::Remeshed(refilled)), result, &callback)
+        let sizes = sizes.limited(filling.max_new_vertices);
+        let bytes = memory_bounds::of_filling(&mesh, &sizes, &asked, filling.rim.relax > 0);
+        result.put(bytes.saturating_add(look), &asked.callback, |tell| {
+            let selection = selected.selection();
+            refill_region_with_progress(&positions, &triangles, selection, &filling, tell)?
+                .map(Content::Remeshed)
+                .ok_or_else(|| {
+                    let why = format_args!(
+                        "deleted and filled, the region gets no fair patch that intersects nothing"
+                    );
+                    Failure::new(Status::NoFairPatch, why)
+                })
+        })
     })
 }
 

@@ -1,14 +1,11 @@
 //! Regions of a mesh chosen by place, distance and shape, step by step.
 
-use core::mem::offset_of;
-use std::sync::Arc;
-
 use super::callback::HostCallback;
 use super::choices::count;
-use super::guard::{guarded, point};
+use super::guard::guarded;
 use super::input::MeshIn;
 use super::memory_bounds;
-use super::outputs::publish;
+use super::outputs::ResultOut;
 use super::results::Content;
 use super::status::*;
 use super::types::*;
@@ -112,51 +109,30 @@ pub extern "C" fn fairmesh_select_region(
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        let bytes = check_steps(steps, step_count)?;
-        aliases.input(steps, bytes);
-        check_slot(result, Argument(4), &mut aliases)?;
-        aliases.error(error, Argument(5))?;
+    guarded(error, |call| {
+        let mesh = MeshIn::new(mesh, Argument(1), call)?;
+        check_structs(steps, step_count, Argument(2), call, "steps")?;
+        let result = ResultOut::last(result, Argument(4), call)?;
         let mut checked = try_with_capacity(step_count)?;
         for k in 0..step_count {
             let step = StepIn::new(read(steps.wrapping_add(k)), k)?;
-            // There may be more lists than one check has room for.
-            let mut aliases = AliasCheck::new();
-            aliases.input(step.list.data, step.list.bytes);
-            check_slot(result, Argument(4), &mut aliases)?;
-            aliases.error(error, Argument(5))?;
+            call.late_input(step.list.data, step.list.bytes)?;
             checked.push(step);
         }
-        let positions = mesh.positions.read()?;
-        let triangles = mesh.triangles.rows::<3>()?;
+        let (positions, triangles) = mesh.read()?;
         let mut asked = try_with_capacity(step_count)?;
         for step in &checked {
             asked.push(step.read(&mesh)?);
         }
         let lists = checked.iter().map(|step| step.list.count);
         let listed = lists.fold(0, usize::saturating_add);
-        let _reserve = memory_bounds::reserve(memory_bounds::of_selecting(&mesh, step_count, listed))?;
-        let callback = HostCallback::new(None, core::ptr::null_mut());
-        point();
-        let region = select_region(&positions, &triangles, &asked, mesh.coincident)?;
-        let vertices = positions.len();
-        publish(Arc::new(Content::Region { region, vertices }), result, &callback)
-    })
-}
-
-/// Checks where the steps are; how many bytes they have.
-fn check_steps(steps: *const fairmesh_region_step, step_count: usize) -> CallResult<usize> {
-    if step_count > 0 {
-        check_pointer(steps, Argument(2))?;
-    }
-    let bytes = step_count.checked_mul(size_of::<fairmesh_region_step>());
-    let fits =
-        |bytes: &usize| *bytes <= isize::MAX as usize && (steps as usize).checked_add(*bytes).is_some();
-    bytes.filter(fits).ok_or_else(|| {
-        let why = format_args!("{step_count} steps are more than memory has room for");
-        Argument(3).itself().refuse(Status::CountOverflow, why)
+        let bytes = memory_bounds::of_selecting(&mesh, step_count, listed);
+        result.put(bytes, &HostCallback::none(), |_| {
+            Ok(Content::Region {
+                region: select_region(&positions, &triangles, &asked, mesh.coincident)?,
+                vertices: positions.len(),
+            })
+        })
     })
 }
 
@@ -174,13 +150,11 @@ impl StepIn {
         use fairmesh_region_kind as Kind;
         let start = number.wrapping_mul(size_of::<fairmesh_region_step>());
         let place = Argument(2).field(start, "steps");
-        let field = |offset, name| place.field(offset, name);
+        check_reserved(view.reserved, field!(place, fairmesh_region_step.reserved))?;
         check_reserved(
-            view.reserved,
-            field(offset_of!(fairmesh_region_step, reserved), "reserved"),
+            view.reserved_too,
+            field!(place, fairmesh_region_step.reserved_too),
         )?;
-        let at = field(offset_of!(fairmesh_region_step, reserved_too), "reserved_too");
-        check_reserved(view.reserved_too, at)?;
         let kinds = [
             Kind::All,
             Kind::Triangles,
@@ -196,11 +170,11 @@ impl StepIn {
             Kind::Shrink,
             Kind::Invert,
         ];
-        let at = field(offset_of!(fairmesh_region_step, kind), "kind");
+        let at = field!(place, fairmesh_region_step.kind);
         let kind = kinds.into_iter().find(|kind| *kind as u32 == view.kind);
         let kind = kind.ok_or_else(|| refused(at, number, view.kind, "fairmesh_region_kind"))?;
         let spreads = matches!(kind, Kind::Grow | Kind::Shrink | Kind::Invert);
-        let at = field(offset_of!(fairmesh_region_step, combine), "combine");
+        let at = field!(place, fairmesh_region_step.combine);
         let combine = match view.combine {
             _ if spreads => Combine::Add,
             0 => Combine::Add,
@@ -209,7 +183,7 @@ impl StepIn {
             other => return Err(refused(at, number, other, "fairmesh_combine")),
         };
         let begins = matches!(kind, Kind::Geodesic | Kind::Component | Kind::Patch | Kind::Bump);
-        let at = field(offset_of!(fairmesh_region_step, seed_kind), "seed_kind");
+        let at = field!(place, fairmesh_region_step.seed_kind);
         let seed = match view.seed_kind {
             1 if begins => Seed::Vertex(view.seed_vertex),
             0 => Seed::Point(view.point),
@@ -219,7 +193,7 @@ impl StepIn {
         check_extent(kind, &view, place)?;
         let is_listed = matches!(kind, Kind::Triangles | Kind::Vertices);
         let none = fairmesh_indices::default();
-        let at = field(offset_of!(fairmesh_region_step, list), "list");
+        let at = field!(place, fairmesh_region_step.list);
         let list = indices_in(if is_listed { &view.list } else { &none }, 1, at)?;
         Ok(Self {
             view,
@@ -230,34 +204,18 @@ impl StepIn {
         })
     }
 
-    /// The indices of the list, all below `limit`.
-    fn listed(&self, limit: usize, element: fairmesh_element) -> CallResult<Vec<u32>> {
-        let mut list = try_with_capacity(self.list.count)?;
-        for k in 0..self.list.count {
-            let [index] = self.list.index::<1>(k);
-            if index as usize >= limit {
-                let why = format_args!("a step names element {index}, but there are only {limit}");
-                let failure = Failure::new(Status::SelectionOutOfRange, why);
-                return Err(failure.at(element, index as usize));
-            }
-            list.push(index);
-        }
-        Ok(list)
-    }
-
     fn read(&self, mesh: &MeshIn) -> CallResult<RegionStep> {
         use fairmesh_region_kind as Kind;
         let (view, seed) = (&self.view, self.seed);
         let rings = count(view.rings);
+        let listed = |limit, element| self.list.known(limit, element, "a step names element");
         let region = match self.kind {
             Kind::Grow => return Ok(RegionStep::Grow(rings)),
             Kind::Shrink => return Ok(RegionStep::Shrink(rings)),
             Kind::Invert => return Ok(RegionStep::Invert),
             Kind::All => Region::All,
-            Kind::Triangles => {
-                Region::Triangles(self.listed(mesh.triangles.count, fairmesh_element::Triangle)?)
-            }
-            Kind::Vertices => Region::Vertices(self.listed(mesh.vertices(), fairmesh_element::Vertex)?),
+            Kind::Triangles => Region::Triangles(listed(mesh.triangles.count, fairmesh_element::Triangle)?),
+            Kind::Vertices => Region::Vertices(listed(mesh.vertices(), fairmesh_element::Vertex)?),
             Kind::Ball => Region::Within(Place::Ball {
                 centre: view.point,
                 radius: view.value,
@@ -297,7 +255,7 @@ fn check_extent(kind: fairmesh_region_kind, view: &fairmesh_region_step, place: 
         ),
         Kind::Box => {
             let is_box = (0..3).all(|k| view.point[k] <= view.vector[k]);
-            let at = place.field(offset_of!(fairmesh_region_step, vector), "vector");
+            let at = field!(place, fairmesh_region_step.vector);
             let why = format_args!("the largest coordinates of a box are not less than the smallest");
             return if is_box {
                 Ok(())
@@ -307,7 +265,7 @@ fn check_extent(kind: fairmesh_region_kind, view: &fairmesh_region_step, place: 
         }
         _ => (true, ""),
     };
-    let at = place.field(offset_of!(fairmesh_region_step, value), "value");
+    let at = field!(place, fairmesh_region_step.value);
     if holds {
         Ok(())
     } else {

@@ -1,13 +1,16 @@
 //! What a handle of a solver stands for.
 
-use std::sync::{Mutex, MutexGuard, TryLockError};
+use std::sync::{Mutex, TryLockError};
 
 use super::callback::HostCallback;
-use super::guard::point;
+use super::guard::{guarded, point};
+use super::handles;
 use super::memory::Reserve;
-use super::memory_bounds;
-use super::status::{CallResult, Failure, fairmesh_status as Status};
-use fairmesh::{Progress, ProgressCallback, Session};
+use super::outputs::with_memory;
+use super::status::{CallResult, Failure, fairmesh_error, fairmesh_status as Status};
+use super::types::fairmesh_solver;
+use super::views::{Argument, Call};
+use fairmesh::{ProgressCallback, Session};
 
 /// One user at a time. Who panics with the lock poisons it.
 pub(crate) struct Shared(Mutex<Solver>);
@@ -22,39 +25,49 @@ pub(crate) struct Solver {
     pub _standing: Reserve,
 }
 
+impl Solver {
+    /// Works with the session, with memory set aside, and with what tells the host how far it is.
+    pub(crate) fn work<T>(
+        &mut self,
+        work: impl FnOnce(&mut Session, &mut ProgressCallback<'_>) -> CallResult<T>,
+    ) -> CallResult<T> {
+        with_memory(self.need, &self.callback, |watch| {
+            work(&mut self.session, &mut |progress| watch.tell(progress))
+        })
+    }
+}
+
 impl Shared {
     pub(crate) fn new(solver: Solver) -> Self {
         Self(Mutex::new(solver))
-    }
-
-    /// The solver, if nobody uses it.
-    pub(crate) fn take(&self) -> CallResult<MutexGuard<'_, Solver>> {
-        self.0.try_lock().map_err(|why| match why {
-            TryLockError::WouldBlock => Failure::new(Status::Busy, format_args!("the solver is in use")),
-            TryLockError::Poisoned(_) => Failure::new(
-                Status::Internal,
-                format_args!("a bug has broken this solver; free it"),
-            ),
-        })
-    }
-
-    /// Works with the session, with memory set aside, and with what tells the host how far it is.
-    pub(crate) fn work<T>(
-        &self,
-        work: impl FnOnce(&mut Session, &mut ProgressCallback<'_>) -> CallResult<T>,
-    ) -> CallResult<T> {
-        let mut solver = self.take()?;
-        let _reserve = memory_bounds::reserve(solver.need)?;
-        let callback = solver.callback.fresh();
-        point();
-        let mut tell = |progress: &Progress| callback.tell(progress);
-        let made = work(&mut solver.session, &mut tell)?;
-        callback.memory()?;
-        Ok(made)
     }
 
     /// Whether somebody uses it.
     pub(crate) fn is_busy(&self) -> bool {
         matches!(self.0.try_lock(), Err(TryLockError::WouldBlock))
     }
+}
+
+/// Runs a function whose first argument is a solver, if nobody else uses it.
+pub(crate) fn with_solver(
+    solver: *const fairmesh_solver,
+    error: *mut fairmesh_error,
+    body: impl FnOnce(&mut Solver, &mut Call) -> CallResult,
+) -> Status {
+    guarded(error, |call| {
+        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+        let mut solver = shared.0.try_lock().map_err(|why| match why {
+            TryLockError::WouldBlock => busy(),
+            TryLockError::Poisoned(_) => Failure::new(
+                Status::Internal,
+                format_args!("a bug has broken this solver; free it"),
+            ),
+        })?;
+        point();
+        body(&mut solver, call)
+    })
+}
+
+pub(crate) fn busy() -> Failure {
+    Failure::new(Status::Busy, format_args!("the solver is in use"))
 }

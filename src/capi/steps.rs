@@ -1,9 +1,9 @@
 //! Solvers: fairing in steps.
 
-use core::mem::offset_of;
 use std::sync::Arc;
 
-use super::guard::{guarded, point};
+use super::choices::count;
+use super::guard::guarded;
 use super::handles;
 use super::input::{CurvatureIn, LoopsIn, MeshIn, NormalsIn, SelectionIn};
 use super::memory_bounds;
@@ -12,7 +12,7 @@ use super::options::{OptionsIn, refused, target};
 use super::outputs::*;
 use super::report;
 use super::results::{Content, attempt_of, component_of, continuity_of};
-use super::solvers::{Shared, Solver};
+use super::solvers::{Shared, Solver, busy, with_solver};
 use super::status::*;
 use super::types::*;
 use super::views::*;
@@ -31,39 +31,28 @@ pub extern "C" fn fairmesh_solver_new(
     solver: *mut *mut fairmesh_solver,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        let selection = SelectionIn::new(selection, Argument(2), &mesh, &mut aliases)?;
-        let asked = OptionsIn::new(options, Argument(3), mesh.vertices(), &mut aliases)?;
+    guarded(error, |call| {
+        let mesh = MeshIn::new(mesh, Argument(1), call)?;
+        let selection = SelectionIn::new(selection, Argument(2), &mesh, call)?;
+        let asked = OptionsIn::new(options, Argument(3), &mesh, call)?;
         asked.check_fast(Argument(3))?;
-        check_slot(solver, Argument(4), &mut aliases)?;
-        aliases.error(error, Argument(5))?;
+        check_slot(solver, Argument(4), call)?;
+        call.end(Argument(5))?;
 
         let selected = selection.read(&mesh)?;
-        let options = asked.read(mesh.vertices(), mesh.coincident)?;
-        let positions = mesh.positions.read()?;
-        let triangles = mesh.triangles.rows::<3>()?;
+        let options = asked.read(&mesh)?;
+        let (positions, triangles) = mesh.read()?;
         let need = memory_bounds::of_fairing(&mesh, &selected, &asked, true)?;
-        let _reserve = memory_bounds::reserve(need)?;
-        let standing = memory_bounds::reserve(memory_bounds::STANDING)?;
-        let callback = asked.callback.fresh();
-        point();
-        let session = Session::new(&positions, &triangles, selected.selection(), &options)?;
-        let made = Solver {
-            session,
-            callback,
-            vertices: mesh.vertices(),
-            need,
-            _standing: standing,
-        };
-        let handle = handles::add::<fairmesh_solver, _>(Arc::new(Shared::new(made)));
-        if let Err(failure) = callback.memory() {
-            handles::remove(handle);
-            return Err(failure);
-        }
-        write(solver, handle);
-        Ok(())
+        with_memory(need, &asked.callback, |watch| {
+            let made = Solver {
+                session: Session::new(&positions, &triangles, selected.selection(), &options)?,
+                callback: *watch,
+                vertices: mesh.vertices(),
+                need,
+                _standing: memory_bounds::reserve(memory_bounds::STANDING)?,
+            };
+            publish(Arc::new(Shared::new(made)), solver, watch)
+        })
     })
 }
 
@@ -77,22 +66,19 @@ pub extern "C" fn fairmesh_solver_run(
     report: *mut fairmesh_report,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+    with_solver(solver, error, |solver, call| {
         if iterations == 0 {
-            return Err(Argument(2)
-                .itself()
-                .refuse(Status::BadOption, format_args!("has to be at least 1")));
+            let why = format_args!("has to be at least 1");
+            return Err(Argument(2).itself().refuse(Status::BadOption, why));
         }
-        let report_out = StructOut::optional(report, Argument(3), &mut aliases)?;
-        aliases.error(error, Argument(4))?;
-        let iterations = usize::try_from(iterations).unwrap_or(usize::MAX);
-        let told =
-            shared.work(|session, tell| Ok(report::report(&session.run(iterations, Some(tell))?.report)))?;
-        if let Some(out) = report_out {
-            out.write(&told);
-        }
+        let out = StructOut::optional(report, Argument(3), call)?;
+        call.end(Argument(4))?;
+        let told = solver.work(|session, tell| {
+            Ok(report::report(
+                &session.run(count(iterations), Some(tell))?.report,
+            ))
+        })?;
+        out.iter().for_each(|out| out.write(&told));
         Ok(())
     })
 }
@@ -104,20 +90,12 @@ pub extern "C" fn fairmesh_solver_set_boundary_normals(
     normals: *const fairmesh_boundary_normals,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        check_pointer(normals, Argument(2))?;
-        let mut solver = shared.take()?;
-        aliases.input(normals, size_of::<fairmesh_boundary_normals>());
-        let asked = NormalsIn::new(&read(normals), Argument(2).start(), solver.vertices, &mut aliases)?;
-        aliases.error(error, Argument(3))?;
-        let asked = asked.read(solver.vertices)?;
-        let _reserve = memory_bounds::reserve(solver.need)?;
-        let callback = solver.callback.fresh();
-        point();
-        solver.session.set_boundary_normals(asked)?;
-        callback.memory()
+    with_solver(solver, error, |solver, call| {
+        let (vertices, place) = (solver.vertices, Argument(2).start());
+        let asked = NormalsIn::new(&call.read(normals, Argument(2))?, place, vertices, call)?;
+        call.end(Argument(3))?;
+        let asked = asked.read(vertices)?;
+        solver.work(|session, _| Ok(session.set_boundary_normals(asked)?))
     })
 }
 
@@ -128,24 +106,15 @@ pub extern "C" fn fairmesh_solver_set_target(
     new_target: *const fairmesh_target,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        check_pointer(new_target, Argument(2))?;
-        let asked = target(&read(new_target), Argument(2).start())?;
-        aliases.input(new_target, size_of::<fairmesh_target>());
-        aliases.error(error, Argument(3))?;
-        let mut solver = shared.take()?;
-        let _reserve = memory_bounds::reserve(solver.need)?;
-        let callback = solver.callback.fresh();
-        point();
+    with_solver(solver, error, |solver, call| {
+        let asked = target(&call.read(new_target, Argument(2))?, Argument(2).start())?;
+        call.end(Argument(3))?;
         let refused = |error| {
             refused(error, Argument(2), |argument, _| {
-                Some(argument.field(offset_of!(fairmesh_target, constant), "constant"))
+                Some(field!(argument, fairmesh_target.constant))
             })
         };
-        solver.session.set_target(asked).map_err(refused)?;
-        callback.memory()
+        solver.work(|session, _| session.set_target(asked).map_err(refused))
     })
 }
 
@@ -158,28 +127,13 @@ pub extern "C" fn fairmesh_solver_set_continuity(
     of_loops: *const fairmesh_loop_continuity,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        let mut of_each = None;
-        if !of_loops.is_null() {
-            check_pointer(of_loops, Argument(3))?;
-            aliases.input(of_loops, size_of::<fairmesh_loop_continuity>());
-            of_each = Some(LoopsIn::new(&read(of_loops), Argument(3).start(), &mut aliases)?);
-        }
-        aliases.error(error, Argument(4))?;
-        let mut solver = shared.take()?;
-        let vertices = solver.vertices;
-        let of_each = of_each.map_or(Ok(Vec::new()), |loops| loops.read(vertices))?;
-        let _reserve = memory_bounds::reserve(solver.need)?;
-        let callback = solver.callback.fresh();
-        point();
+    with_solver(solver, error, |solver, call| {
+        let of_loops = call.read_or_default(of_loops, Argument(3))?;
+        let of_each = LoopsIn::new(&of_loops, Argument(3).start(), call)?;
+        call.end(Argument(4))?;
+        let of_each = of_each.read(solver.vertices)?;
         let refused = |error| refused(error, Argument(2), |argument, _| Some(argument.itself()));
-        solver
-            .session
-            .set_continuity(continuity, &of_each)
-            .map_err(refused)?;
-        callback.memory()
+        solver.work(|session, _| session.set_continuity(continuity, &of_each).map_err(refused))
     })
 }
 
@@ -190,39 +144,12 @@ pub extern "C" fn fairmesh_solver_set_boundary_curvature(
     curvature: *const fairmesh_boundary_curvature,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        check_pointer(curvature, Argument(2))?;
-        let mut solver = shared.take()?;
-        aliases.input(curvature, size_of::<fairmesh_boundary_curvature>());
-        let place = Argument(2).start();
-        let asked = CurvatureIn::new(&read(curvature), place, solver.vertices, &mut aliases)?;
-        aliases.error(error, Argument(3))?;
-        let asked = asked.read(solver.vertices)?;
-        let _reserve = memory_bounds::reserve(solver.need)?;
-        let callback = solver.callback.fresh();
-        point();
-        solver.session.set_boundary_curvature(asked)?;
-        callback.memory()
-    })
-}
-
-/// Tells something of a solver as it stands: `open` checks where it goes, `put` writes it there.
-fn with_solver<Out>(
-    solver: *const fairmesh_solver,
-    error: *mut fairmesh_error,
-    open: impl FnOnce(&mut AliasCheck) -> CallResult<Out>,
-    put: impl FnOnce(Out, &Solver) -> CallResult,
-) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        let out = open(&mut aliases)?;
-        aliases.error(error, Argument(3))?;
-        let solver = shared.take()?;
-        point();
-        put(out, &solver)
+    with_solver(solver, error, |solver, call| {
+        let (vertices, place) = (solver.vertices, Argument(2).start());
+        let asked = CurvatureIn::new(&call.read(curvature, Argument(2))?, place, vertices, call)?;
+        call.end(Argument(3))?;
+        let asked = asked.read(vertices)?;
+        solver.work(|session, _| Ok(session.set_boundary_curvature(asked)?))
     })
 }
 
@@ -233,12 +160,9 @@ pub extern "C" fn fairmesh_solver_positions(
     out: *const fairmesh_points_out,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    let open = |aliases: &mut AliasCheck| {
-        let out = NumbersOut::points(out, Argument(2))?;
-        aliases.output(out.array.data, out.array.bytes, Argument(2))?;
-        Ok(out)
-    };
-    with_solver(solver, error, open, |out, solver| {
+    with_solver(solver, error, |solver, call| {
+        let out = Points::points_out(&call.read(out, Argument(2))?, Argument(2).start())?;
+        let out = last(out, Argument(2), call)?;
         put_positions(&out, solver.session.positions(), Argument(2))
     })
 }
@@ -250,12 +174,9 @@ pub extern "C" fn fairmesh_solver_mean_curvature(
     out: *const fairmesh_scalars_out,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    let open = |aliases: &mut AliasCheck| {
-        let out = NumbersOut::scalars(out, Argument(2))?;
-        aliases.output(out.array.data, out.array.bytes, Argument(2))?;
-        Ok(out)
-    };
-    with_solver(solver, error, open, |out, solver| {
+    with_solver(solver, error, |solver, call| {
+        let out = Numbers::scalars_out(&call.read(out, Argument(2))?, Argument(2).start())?;
+        let out = last(out, Argument(2), call)?;
         let curvature = &solver.session.solution().mean_curvature;
         put_scalars(&out, curvature, solver.vertices, Argument(2))
     })
@@ -268,10 +189,9 @@ pub extern "C" fn fairmesh_solver_report(
     report: *mut fairmesh_report,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    let open = |aliases: &mut AliasCheck| StructOut::new(report, Argument(2), aliases);
-    with_solver(solver, error, open, |out, solver| {
-        out.write(&report::report(&solver.session.solution().report));
-        Ok(())
+    with_solver(solver, error, |solver, call| {
+        let of = &solver.session.solution().report;
+        put_record(report, Argument(2), call, || Ok(report::report(of)))
     })
 }
 
@@ -283,15 +203,9 @@ pub extern "C" fn fairmesh_solver_component(
     component: *mut fairmesh_component,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        let out = StructOut::new(component, Argument(3), &mut aliases)?;
-        aliases.error(error, Argument(4))?;
-        let solver = shared.take()?;
-        point();
-        out.write(&component_of(&solver.session.solution().report, number)?);
-        Ok(())
+    with_solver(solver, error, |solver, call| {
+        let of = &solver.session.solution().report;
+        put_record(component, Argument(3), call, || component_of(of, number))
     })
 }
 
@@ -304,16 +218,9 @@ pub extern "C" fn fairmesh_solver_attempt(
     attempt: *mut fairmesh_attempt,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        let out = StructOut::new(attempt, Argument(4), &mut aliases)?;
-        aliases.error(error, Argument(5))?;
-        let solver = shared.take()?;
-        point();
-        let report = &solver.session.solution().report;
-        out.write(&attempt_of(report, component, number)?);
-        Ok(())
+    with_solver(solver, error, |solver, call| {
+        let of = &solver.session.solution().report;
+        put_record(attempt, Argument(4), call, || attempt_of(of, component, number))
     })
 }
 
@@ -327,16 +234,11 @@ pub extern "C" fn fairmesh_solver_continuity(
     continuity: *mut fairmesh_continuity,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        let out = StructOut::new(continuity, Argument(4), &mut aliases)?;
-        aliases.error(error, Argument(5))?;
-        let solver = shared.take()?;
-        point();
-        let report = &solver.session.solution().report;
-        out.write(&continuity_of(report, component, number)?);
-        Ok(())
+    with_solver(solver, error, |solver, call| {
+        let of = &solver.session.solution().report;
+        put_record(continuity, Argument(4), call, || {
+            continuity_of(of, component, number)
+        })
     })
 }
 
@@ -348,30 +250,23 @@ pub extern "C" fn fairmesh_solver_result(
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        check_slot(result, Argument(2), &mut aliases)?;
-        aliases.error(error, Argument(3))?;
-        let solver = shared.take()?;
-        let _reserve = memory_bounds::reserve(solver.need)?;
-        let callback = solver.callback.fresh();
-        point();
-        let content = Content::Faired(solver.session.solution().clone());
-        publish(Arc::new(content), result, &callback)
+    with_solver(solver, error, |solver, call| {
+        let result = ResultOut::last(result, Argument(2), call)?;
+        result.put(solver.need, &solver.callback, |_| {
+            Ok(Content::Faired(solver.session.solution().clone()))
+        })
     })
 }
 
 /// Frees a solver. NULL is allowed. BUSY while it is in use, also from its own callback; nothing is freed then.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_solver_free(solver: *mut fairmesh_solver) -> fairmesh_status {
-    guarded(core::ptr::null_mut(), || {
+    guarded(core::ptr::null_mut(), |_| {
         if solver.is_null() {
             return Ok(());
         }
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        if shared.is_busy() {
-            return Err(Failure::new(Status::Busy, format_args!("the solver is in use")));
+        if handles::get::<_, Shared>(solver, Argument(1))?.is_busy() {
+            return Err(busy());
         }
         handles::remove(solver);
         Ok(())

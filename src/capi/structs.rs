@@ -2,7 +2,9 @@
 
 use core::mem::{MaybeUninit, size_of};
 
-use super::status::{CallResult, FAIRMESH_NO_ELEMENT, Failure, fairmesh_element, fairmesh_status as Status};
+use super::status::{
+    CallResult, FAIRMESH_NO_ELEMENT, Failure, fairmesh_element, fairmesh_error, fairmesh_status as Status,
+};
 
 /// A struct that begins with its size.
 ///
@@ -30,6 +32,11 @@ impl Argument {
             offset: 0,
             names: [""; 3],
         }
+    }
+
+    /// The argument behind it.
+    pub(crate) fn next(self) -> Self {
+        Self(self.0 + 1)
     }
 
     pub(crate) fn itself(self) -> FieldPath {
@@ -84,6 +91,14 @@ impl std::fmt::Display for FieldPath {
     }
 }
 
+/// The place of a field, named as in the header: `field!(place, fairmesh_join.kind)`.
+macro_rules! field {
+    ($base:expr, $type:ident . $name:ident) => {
+        $base.field(core::mem::offset_of!($type, $name), stringify!($name))
+    };
+}
+pub(crate) use field;
+
 pub(crate) fn aligned<T>(pointer: *const T, to: usize) -> bool {
     (pointer as usize).is_multiple_of(to)
 }
@@ -124,10 +139,7 @@ pub(crate) fn check_size<T: Versioned>(size: usize, place: FieldPath) -> CallRes
     Ok(size)
 }
 
-/// Reads a struct of any version. Fields that it does not have yet are zero; fields that this library does not know yet
-/// have to be.
-pub(crate) fn read_struct<T: Versioned>(pointer: *const T, argument: Argument) -> CallResult<T> {
-    let size = size_of_struct(pointer, argument)?;
+fn read_struct<T: Versioned>(pointer: *const T, size: usize, argument: Argument) -> CallResult<T> {
     let known = size.min(size_of::<T>());
     let mut value = MaybeUninit::<T>::zeroed();
     // SAFETY: by contract the caller's struct has `size` bytes; every bit pattern is a value.
@@ -155,22 +167,16 @@ pub(crate) struct StructOut<T> {
 }
 
 impl<T: Versioned> StructOut<T> {
-    pub(crate) fn new(pointer: *mut T, argument: Argument, aliases: &mut AliasCheck) -> CallResult<Self> {
+    pub(crate) fn new(pointer: *mut T, argument: Argument, call: &mut Call) -> CallResult<Self> {
         let size = size_of_struct(pointer, argument)?;
-        aliases.output(pointer.cast(), size, argument)?;
+        call.output(pointer, size, argument)?;
         Ok(Self { pointer, size })
     }
 
-    pub(crate) fn optional(
-        pointer: *mut T,
-        argument: Argument,
-        aliases: &mut AliasCheck,
-    ) -> CallResult<Option<Self>> {
-        if pointer.is_null() {
-            Ok(None)
-        } else {
-            Self::new(pointer, argument, aliases).map(Some)
-        }
+    pub(crate) fn optional(pointer: *mut T, argument: Argument, call: &mut Call) -> CallResult<Option<Self>> {
+        (!pointer.is_null())
+            .then(|| Self::new(pointer, argument, call))
+            .transpose()
     }
 
     /// Writes what the caller's version has. `struct_size` stays the caller's.
@@ -196,29 +202,39 @@ pub(crate) fn init_struct<T: Versioned>(pointer: *mut T, size: usize, value: &T)
 }
 
 /// Where a pointer to a handle goes.
-pub(crate) fn check_slot<T>(slot: *mut *mut T, argument: Argument, aliases: &mut AliasCheck) -> CallResult {
+pub(crate) fn check_slot<T>(slot: *mut *mut T, argument: Argument, call: &mut Call) -> CallResult {
     check_pointer(slot, argument)?;
-    aliases.output(slot.cast(), size_of::<*mut T>(), argument)
+    call.output(slot, size_of::<*mut T>(), argument)
 }
 
-/// No call reads more arrays and structs than this.
+/// No call reads more arrays and structs than this before it knows its outputs.
 const INPUTS: usize = 20;
 
-/// The memory that a call reads and writes: outputs overlap nothing.
-pub(crate) struct AliasCheck {
-    inputs: [(usize, usize); INPUTS],
-    input_count: usize,
-    outputs: [(usize, usize); 6],
-    output_count: usize,
+/// What a call writes.
+#[derive(Clone, Copy)]
+struct Output {
+    start: usize,
+    end: usize,
+    argument: Argument,
+    /// The error detail, in which nothing can be said then.
+    silent: bool,
 }
 
-impl AliasCheck {
-    pub(crate) fn new() -> Self {
+/// What a call reads and writes: outputs overlap nothing.
+pub(crate) struct Call {
+    inputs: [(usize, usize); INPUTS],
+    input_count: usize,
+    outputs: [Option<Output>; 6],
+    error: *mut fairmesh_error,
+}
+
+impl Call {
+    pub(crate) fn new(error: *mut fairmesh_error) -> Self {
         Self {
             inputs: [(0, 0); INPUTS],
             input_count: 0,
-            outputs: [(0, 0); 6],
-            output_count: 0,
+            outputs: [None; 6],
+            error,
         }
     }
 
@@ -229,39 +245,104 @@ impl AliasCheck {
         }
     }
 
-    /// Inputs have to be told before.
-    pub(crate) fn output(&mut self, pointer: *mut u8, bytes: usize, argument: Argument) -> CallResult {
+    /// An input that is found when all outputs are known: there may be any number of them.
+    pub(crate) fn late_input<T>(&self, pointer: *const T, bytes: usize) -> CallResult {
         let (start, end) = (pointer as usize, pointer as usize + bytes);
-        let others = self.inputs[..self.input_count]
-            .iter()
-            .chain(&self.outputs[..self.output_count]);
-        for &(a, b) in others {
-            if start < b && a < end {
-                let why = format_args!("overlaps what another argument points to");
-                return Err(argument.itself().refuse(Status::Aliasing, why));
-            }
+        let mut outputs = self.outputs.iter().flatten();
+        outputs
+            .find(|output| bytes > 0 && start < output.end && output.start < end)
+            .map_or(Ok(()), |output| Err(output.overlaps()))
+    }
+
+    /// Inputs have to be told before.
+    pub(crate) fn output<T>(&mut self, pointer: *mut T, bytes: usize, argument: Argument) -> CallResult {
+        self.add_output(pointer as usize, bytes, argument, false)
+    }
+
+    /// All arguments but the last one, the error detail, are known.
+    pub(crate) fn end(&mut self, argument: Argument) -> CallResult {
+        let bytes = size_of::<fairmesh_error>() * usize::from(!self.error.is_null());
+        self.add_output(self.error as usize, bytes, argument, true)
+    }
+
+    fn add_output(&mut self, start: usize, bytes: usize, argument: Argument, silent: bool) -> CallResult {
+        if bytes == 0 {
+            return Ok(());
         }
-        if bytes > 0 {
-            self.outputs[self.output_count] = (start, end);
-            self.output_count += 1;
+        let end = start + bytes;
+        let output = Output {
+            start,
+            end,
+            argument,
+            silent,
+        };
+        let inputs = self.inputs[..self.input_count].iter().copied();
+        let outputs = self
+            .outputs
+            .iter()
+            .flatten()
+            .map(|other| (other.start, other.end));
+        if inputs.chain(outputs).any(|(a, b)| start < b && a < end) {
+            return Err(output.overlaps());
+        }
+        if let Some(free) = self.outputs.iter_mut().find(|output| output.is_none()) {
+            *free = Some(output);
         }
         Ok(())
     }
 
-    /// The error detail is an output of nearly every function.
-    pub(crate) fn error(
+    /// Reads a struct that never grows.
+    pub(crate) fn read<T: Copy>(&mut self, pointer: *const T, argument: Argument) -> CallResult<T> {
+        check_pointer(pointer, argument)?;
+        self.input(pointer, size_of::<T>());
+        Ok(read(pointer))
+    }
+
+    /// Reads one that may be NULL.
+    pub(crate) fn read_or_default<T: Copy + Default>(
         &mut self,
-        error: *mut super::status::fairmesh_error,
+        pointer: *const T,
         argument: Argument,
-    ) -> CallResult {
-        if error.is_null() {
-            return Ok(());
+    ) -> CallResult<T> {
+        if pointer.is_null() {
+            return Ok(T::default());
         }
-        self.output(error.cast(), size_of::<super::status::fairmesh_error>(), argument)
-            .map_err(|failure| Failure {
-                silent: true,
-                ..failure
-            })
+        self.read(pointer, argument)
+    }
+
+    /// Reads a struct of any version. Fields that it does not have yet are zero; fields that this library does not know yet
+    /// have to be.
+    pub(crate) fn read_struct<T: Versioned>(
+        &mut self,
+        pointer: *const T,
+        argument: Argument,
+    ) -> CallResult<T> {
+        let size = size_of_struct(pointer, argument)?;
+        self.input(pointer, size);
+        read_struct(pointer, size, argument)
+    }
+
+    /// Reads options, which may be NULL.
+    pub(crate) fn read_options<T: Versioned>(
+        &mut self,
+        pointer: *const T,
+        argument: Argument,
+        standard: fn() -> T,
+    ) -> CallResult<T> {
+        if pointer.is_null() {
+            return Ok(standard());
+        }
+        self.read_struct(pointer, argument)
+    }
+}
+
+impl Output {
+    fn overlaps(&self) -> Failure {
+        let why = format_args!("overlaps what another argument points to");
+        Failure {
+            silent: self.silent,
+            ..self.argument.itself().refuse(Status::Aliasing, why)
+        }
     }
 }
 
@@ -298,16 +379,18 @@ mod tests {
 
     const ARGUMENT: Argument = Argument(1);
 
+    fn call() -> Call {
+        Call::new(core::ptr::null_mut())
+    }
+
     /// A program of the first version.
     #[test]
     fn a_shorter_struct_reads_as_zeros_and_is_not_written_behind_its_end() {
         let mut memory = [16, 7, u64::MAX];
         let pointer = memory.as_mut_ptr().cast::<Grown>();
-        let read = read_struct(pointer, ARGUMENT).ok().unwrap();
+        let read = call().read_struct(pointer, ARGUMENT).ok().unwrap();
         assert_eq!((read.old, read.added), (7, 0));
-        let out = StructOut::new(pointer, ARGUMENT, &mut AliasCheck::new())
-            .ok()
-            .unwrap();
+        let out = StructOut::new(pointer, ARGUMENT, &mut call()).ok().unwrap();
         out.write(&Grown {
             struct_size: 24,
             reserved: 0,
@@ -322,15 +405,13 @@ mod tests {
     fn a_longer_struct_is_read_if_its_end_is_zero_and_its_end_is_cleared() {
         let mut memory = [32, 7, 6, 0, u64::MAX];
         let pointer = memory.as_mut_ptr().cast::<Grown>();
-        let read = read_struct(pointer, ARGUMENT).ok().unwrap();
+        let read = call().read_struct(pointer, ARGUMENT).ok().unwrap();
         assert_eq!((read.old, read.added), (7, 6));
         memory[3] = 1;
         let pointer = memory.as_mut_ptr().cast::<Grown>();
-        let refused = read_struct(pointer, ARGUMENT).err().unwrap();
+        let refused = call().read_struct(pointer, ARGUMENT).err().unwrap();
         assert_eq!((refused.status, refused.other), (Status::BadReserved, 24));
-        let out = StructOut::new(pointer, ARGUMENT, &mut AliasCheck::new())
-            .ok()
-            .unwrap();
+        let out = StructOut::new(pointer, ARGUMENT, &mut call()).ok().unwrap();
         out.write(&read);
         assert_eq!(memory, [32, 7, 6, 0, u64::MAX]);
     }
@@ -338,7 +419,8 @@ mod tests {
     #[test]
     fn a_struct_shorter_than_the_first_version_is_refused() {
         let mut memory = [8_u64, 7, 6];
-        let refused = read_struct(memory.as_mut_ptr().cast::<Grown>(), ARGUMENT)
+        let refused = call()
+            .read_struct(memory.as_mut_ptr().cast::<Grown>(), ARGUMENT)
             .err()
             .unwrap();
         assert_eq!(refused.status, Status::BadStructSize);

@@ -91,31 +91,29 @@ pub(crate) fn check_reserved(reserved: u32, place: FieldPath) -> CallResult {
 macro_rules! places {
     ($type:ident, $base:expr) => {
         [
-            $base.field(core::mem::offset_of!($type, data), "data"),
-            $base.field(core::mem::offset_of!($type, count), "count"),
-            $base.field(core::mem::offset_of!($type, stride), "stride"),
+            field!($base, $type.data),
+            field!($base, $type.count),
+            field!($base, $type.stride),
         ]
     };
 }
 
-/// Numbers to be read, rows of `N`.
+/// Numbers to be read or written, rows of `N`.
 #[derive(Clone, Copy)]
-pub(crate) struct NumbersIn<const N: usize> {
+pub(crate) struct Numbers<const N: usize> {
     pub array: Array,
     pub double: bool,
 }
 
-pub(crate) type PointsIn = NumbersIn<3>;
+pub(crate) type Points = Numbers<3>;
 
 /// Rows of `$width` numbers from a view of type `$view`.
-macro_rules! numbers_in {
-    ($view:ident, $width:literal) => {
-        impl NumbersIn<$width> {
-            pub(crate) fn new(view: &$view, base: FieldPath) -> CallResult<Self> {
-                let reserved = base.field(core::mem::offset_of!($view, reserved), "reserved");
-                check_reserved(view.reserved, reserved)?;
-                let scalar = base.field(core::mem::offset_of!($view, scalar), "scalar");
-                let size = numbers_size(view.scalar, scalar)?;
+macro_rules! numbers {
+    ($name:ident, $view:ident, $width:literal) => {
+        impl Numbers<$width> {
+            pub(crate) fn $name(view: &$view, base: FieldPath) -> CallResult<Self> {
+                check_reserved(view.reserved, field!(base, $view.reserved))?;
+                let size = numbers_size(view.scalar, field!(base, $view.scalar))?;
                 let at = places!($view, base);
                 let array = array(view.data, view.count, view.stride, $width, size, at)?;
                 let double = size == 8;
@@ -125,10 +123,12 @@ macro_rules! numbers_in {
     };
 }
 
-numbers_in!(fairmesh_points, 3);
-numbers_in!(fairmesh_numbers, 1);
+numbers!(points_in, fairmesh_points, 3);
+numbers!(numbers_in, fairmesh_numbers, 1);
+numbers!(points_out, fairmesh_points_out, 3);
+numbers!(scalars_out, fairmesh_scalars_out, 1);
 
-impl<const N: usize> NumbersIn<N> {
+impl<const N: usize> Numbers<N> {
     pub(crate) fn get(&self, k: usize) -> [f64; N] {
         debug_assert!(k < self.array.count);
         // SAFETY: row k of an array that was checked; by contract the caller's memory holds it.
@@ -156,103 +156,6 @@ impl<const N: usize> NumbersIn<N> {
         let mut points = try_with_capacity(self.array.count)?;
         points.extend((0..self.array.count).map(|k| self.get(k)));
         Ok(Cow::Owned(points))
-    }
-}
-
-/// A vector with room for so many.
-pub(crate) fn try_with_capacity<T>(count: usize) -> CallResult<Vec<T>> {
-    let mut vec = Vec::new();
-    let reserved = memory::without_reserve(|| vec.try_reserve_exact(count));
-    reserved.map_err(|_| Failure::out_of_memory())?;
-    Ok(vec)
-}
-
-/// Rows of indices to be read.
-pub(crate) fn indices_in(view: &fairmesh_indices, width: usize, base: FieldPath) -> CallResult<Array> {
-    array(
-        view.data.cast(),
-        view.count,
-        view.stride,
-        width,
-        4,
-        places!(fairmesh_indices, base),
-    )
-}
-
-impl Array {
-    /// Row `k` of `N` indices.
-    pub(crate) fn index<const N: usize>(&self, k: usize) -> [u32; N] {
-        debug_assert!(k < self.count);
-        // SAFETY: row k of an array that was checked; by contract the caller's memory holds it.
-        unsafe { self.data.add(k * self.stride).cast::<[u32; N]>().read() }
-    }
-
-    pub(crate) fn byte(&self, k: usize) -> u8 {
-        debug_assert!(k < self.count);
-        // SAFETY: as above.
-        unsafe { self.data.add(k * self.stride).read() }
-    }
-
-    /// As the library wants them: without a copy where they are so already.
-    pub(crate) fn rows<'a, const N: usize>(&self) -> CallResult<Cow<'a, [[u32; N]]>> {
-        if self.count == 0 {
-            return Ok(Cow::Borrowed(&[]));
-        }
-        if self.stride == 4 * N {
-            // SAFETY: checked for NULL, alignment and size; nobody writes it during the call, by contract.
-            return Ok(Cow::Borrowed(unsafe {
-                std::slice::from_raw_parts(self.data.cast(), self.count)
-            }));
-        }
-        let mut rows = try_with_capacity(self.count)?;
-        rows.extend((0..self.count).map(|k| self.index::<N>(k)));
-        Ok(Cow::Owned(rows))
-    }
-}
-
-/// The entries of a selection: bytes or indices.
-pub(crate) fn entries(selection: &fairmesh_selection, size: usize, argument: Argument) -> CallResult<Array> {
-    let at = places!(fairmesh_selection, argument.start());
-    array(selection.data, selection.count, selection.stride, 1, size, at)
-}
-
-/// Numbers to be written, rows of `N`.
-pub(crate) struct NumbersOut<const N: usize> {
-    pub array: Array,
-    pub double: bool,
-}
-
-/// Rows of `$width` numbers from a view of type `$view`.
-macro_rules! numbers_out {
-    ($name:ident, $view:ident, $width:literal) => {
-        impl NumbersOut<$width> {
-            pub(crate) fn $name(view: *const $view, argument: Argument) -> CallResult<Self> {
-                check_pointer(view, argument)?;
-                // SAFETY: not NULL, aligned.
-                let view = unsafe { view.read() };
-                let base = argument.start();
-                let reserved = base.field(core::mem::offset_of!($view, reserved), "reserved");
-                check_reserved(view.reserved, reserved)?;
-                let size = numbers_size(
-                    view.scalar,
-                    base.field(core::mem::offset_of!($view, scalar), "scalar"),
-                )?;
-                let at = places!($view, base);
-                let array = array(view.data, view.count, view.stride, $width, size, at)?;
-                let double = size == 8;
-                Ok(Self { array, double })
-            }
-        }
-    };
-}
-
-numbers_out!(points, fairmesh_points_out, 3);
-numbers_out!(scalars, fairmesh_scalars_out, 1);
-
-impl<const N: usize> NumbersOut<N> {
-    /// Whether floats are to be written.
-    pub(crate) fn is_single(&self) -> bool {
-        !self.double
     }
 
     /// Exactly so many rows.
@@ -292,43 +195,135 @@ impl<const N: usize> NumbersOut<N> {
         }
     }
 
-    pub(crate) fn same_as(&self, points: &PointsIn) -> bool {
-        self.array.data == points.array.data
-            && self.array.stride == points.array.stride
-            && self.array.count == points.array.count
-            && self.double == points.double
+    pub(crate) fn same_as(&self, other: &Self) -> bool {
+        self.array.data == other.array.data
+            && self.array.stride == other.array.stride
+            && self.array.count == other.array.count
+            && self.double == other.double
     }
 }
 
-/// Triangles to be written.
-pub(crate) struct TrianglesOut(pub Array);
+/// A vector with room for so many.
+pub(crate) fn try_with_capacity<T>(count: usize) -> CallResult<Vec<T>> {
+    let mut vec = Vec::new();
+    let reserved = memory::without_reserve(|| vec.try_reserve_exact(count));
+    reserved.map_err(|_| Failure::out_of_memory())?;
+    Ok(vec)
+}
 
-impl TrianglesOut {
-    pub(crate) fn new(view: *const fairmesh_indices_out, argument: Argument) -> CallResult<Self> {
-        check_pointer(view, argument)?;
-        // SAFETY: not NULL, aligned.
-        let view = unsafe { view.read() };
-        let at = places!(fairmesh_indices_out, argument.start());
-        Ok(Self(array(view.data.cast(), view.count, view.stride, 3, 4, at)?))
+/// Rows of indices to be read.
+pub(crate) fn indices_in(view: &fairmesh_indices, width: usize, base: FieldPath) -> CallResult<Array> {
+    array(
+        view.data.cast(),
+        view.count,
+        view.stride,
+        width,
+        4,
+        places!(fairmesh_indices, base),
+    )
+}
+
+impl Array {
+    /// Row `k` of `N` indices.
+    pub(crate) fn index<const N: usize>(&self, k: usize) -> [u32; N] {
+        debug_assert!(k < self.count);
+        // SAFETY: row k of an array that was checked; by contract the caller's memory holds it.
+        unsafe { self.data.add(k * self.stride).cast::<[u32; N]>().read() }
     }
 
-    pub(crate) fn set(&self, k: usize, row: [u32; 3]) {
-        debug_assert!(k < self.0.count);
+    pub(crate) fn byte(&self, k: usize) -> u8 {
+        debug_assert!(k < self.count);
+        // SAFETY: as above.
+        unsafe { self.data.add(k * self.stride).read() }
+    }
+
+    pub(crate) fn put<const N: usize>(&self, k: usize, row: [u32; N]) {
+        debug_assert!(k < self.count);
         // SAFETY: row k of an array that was checked; by contract the caller's memory holds it and is ours to write.
-        unsafe { self.0.data.add(k * self.0.stride).cast::<[u32; 3]>().write(row) };
+        unsafe { self.data.add(k * self.stride).cast::<[u32; N]>().write(row) };
     }
+
+    /// As the library wants them: without a copy where they are so already.
+    pub(crate) fn rows<'a, const N: usize>(&self) -> CallResult<Cow<'a, [[u32; N]]>> {
+        if self.count == 0 {
+            return Ok(Cow::Borrowed(&[]));
+        }
+        if self.stride == 4 * N {
+            // SAFETY: checked for NULL, alignment and size; nobody writes it during the call, by contract.
+            return Ok(Cow::Borrowed(unsafe {
+                std::slice::from_raw_parts(self.data.cast(), self.count)
+            }));
+        }
+        let mut rows = try_with_capacity(self.count)?;
+        rows.extend((0..self.count).map(|k| self.index::<N>(k)));
+        Ok(Cow::Owned(rows))
+    }
+
+    /// Single indices.
+    pub(crate) fn list<'a>(&self) -> CallResult<Cow<'a, [u32]>> {
+        Ok(match self.rows::<1>()? {
+            Cow::Borrowed(rows) => Cow::Borrowed(rows.as_flattened()),
+            Cow::Owned(rows) => Cow::Owned(rows.into_flattened()),
+        })
+    }
+
+    /// Single indices, all below `limit`; `what` names one: "the selection names element".
+    pub(crate) fn known(&self, limit: usize, element: fairmesh_element, what: &str) -> CallResult<Vec<u32>> {
+        let mut list = try_with_capacity(self.count)?;
+        for k in 0..self.count {
+            list.push(known(self.index::<1>(k)[0], limit, element, what)?);
+        }
+        Ok(list)
+    }
+}
+
+/// An index, if it is below `limit`.
+pub(crate) fn known(index: u32, limit: usize, element: fairmesh_element, what: &str) -> CallResult<u32> {
+    if (index as usize) < limit {
+        return Ok(index);
+    }
+    let why = format_args!("{what} {index}, but there are only {limit}");
+    Err(Failure::new(Status::SelectionOutOfRange, why).at(element, index as usize))
+}
+
+/// The entries of a selection: bytes or indices.
+pub(crate) fn entries(selection: &fairmesh_selection, size: usize, argument: Argument) -> CallResult<Array> {
+    let at = places!(fairmesh_selection, argument.start());
+    array(selection.data, selection.count, selection.stride, 1, size, at)
+}
+
+/// Checks structs that lie one after the other in memory; the argument behind them is their count.
+pub(crate) fn check_structs<T>(
+    structs: *const T,
+    count: usize,
+    argument: Argument,
+    call: &mut Call,
+    what: &str,
+) -> CallResult {
+    if count > 0 {
+        check_pointer(structs, argument)?;
+    }
+    let bytes = count.checked_mul(size_of::<T>());
+    let fits =
+        |bytes: &usize| *bytes <= isize::MAX as usize && (structs as usize).checked_add(*bytes).is_some();
+    let Some(bytes) = bytes.filter(fits) else {
+        let why = format_args!("{count} {what} are more than memory has room for");
+        return Err(argument.next().itself().refuse(Status::CountOverflow, why));
+    };
+    call.input(structs, bytes);
+    Ok(())
+}
+
+/// Triangles to be written.
+pub(crate) fn triangles_out(view: &fairmesh_indices_out, argument: Argument) -> CallResult<Array> {
+    let at = places!(fairmesh_indices_out, argument.start());
+    array(view.data.cast(), view.count, view.stride, 3, 4, at)
 }
 
 /// A list of indices to be written.
 pub(crate) fn list_out(data: *mut u32, capacity: usize) -> CallResult<Array> {
     let [at, count] = [Argument(4).itself(), Argument(5).itself()];
     array(data.cast(), capacity, 0, 1, 4, [at, count, count])
-}
-
-pub(crate) fn put_index(out: &Array, k: usize, index: u32) {
-    debug_assert!(k < out.count);
-    // SAFETY: entry k of an array that was checked; by contract the caller's memory holds it and is ours to write.
-    unsafe { out.data.cast::<u32>().add(k).write(index) };
 }
 
 pub(crate) fn check_count(got: usize, wanted: usize, place: FieldPath) -> CallResult {
