@@ -5,6 +5,8 @@ use std::fmt::Write;
 
 use syn::{Expr, Fields, FnArg, Item, Lit, ReturnType, Type};
 
+use fairmesh::{Entry, Error, Outcome};
+
 use crate::tables::{self, sentence};
 
 const ABI_HEAD: &str = r#""""The C interface, declared: every enumeration, struct and function of ``include/fairmesh.h``, under its C name.
@@ -82,8 +84,10 @@ pub fn enumerations() -> String {
             let text = "a value that this version of the package does not know";
             member(&mut made, u32::MAX, "other", text, "", base);
         }
-        if class == "Outcome" {
-            successes(&mut made);
+        match class {
+            "Outcome" => successes(&mut made),
+            "Status" => refusals_of_input(&mut made),
+            _ => {}
         }
     }
     made
@@ -106,16 +110,39 @@ pub(crate) fn class_of(name: &str) -> &'static str {
 /// Which outcomes are successes, as `fairmesh::Outcome::is_success` says it.
 fn successes(made: &mut String) {
     let outcomes = tables::outcomes();
-    let names: Vec<String> = outcomes
+    let names = outcomes
         .iter()
         .filter(|outcome| outcome.is_success())
-        .map(|outcome| format!("Outcome.{}", outcome.name().to_uppercase()))
-        .collect();
+        .map(Outcome::name);
     let doc = "Whether the tolerance is met and the surface is sound, without reservation.";
+    question(made, "is_success", doc, "Outcome", names);
+}
+
+/// Which statuses blame what was given: all errors of the library but one, and a number of C's enumerations that is none.
+fn refusals_of_input(made: &mut String) {
+    let errors = Error::TABLE
+        .iter()
+        .map(Entry::name)
+        .filter(|name| *name != "threads");
+    let doc = "Whether the mesh, the selection, a normal or an option is wrong.";
+    question(made, "is_input_error", doc, "Status", errors.chain(["bad_enum"]));
+}
+
+/// A property that some members have.
+fn question<'a>(
+    made: &mut String,
+    name: &str,
+    doc: &str,
+    class: &str,
+    members: impl Iterator<Item = &'a str>,
+) {
+    let members: String = members
+        .map(|member| format!("{class}.{}, ", member.to_uppercase()))
+        .collect();
     let _ = write!(
         made,
-        "\n    @property\n    def is_success(self) -> bool:\n        \"\"\"{doc}\"\"\"\n        return self in ({},)\n",
-        names.join(", ")
+        "\n    @property\n    def {name}(self) -> bool:\n        \"\"\"{doc}\"\"\"\n        return self in ({})\n",
+        members.trim_end()
     );
 }
 

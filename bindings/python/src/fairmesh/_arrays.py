@@ -91,8 +91,8 @@ def point(given: ArrayLike, name: str) -> NDArray[np.float64]:
     return array.astype(np.float64)
 
 
-def numbers(given: ArrayLike, name: str, *, count: int) -> Floats:
-    """Real numbers, (count,), float32 or float64; others become float64."""
+def numbers(given: ArrayLike, name: str, *, rows: int) -> Floats:
+    """Real numbers, (rows,), float32 or float64; others become float64."""
     array = np.asarray(given)
     if array.shape == (0,):
         array = np.empty(0)
@@ -100,8 +100,8 @@ def numbers(given: ArrayLike, name: str, *, count: int) -> Floats:
         raise TypeError(f"{name}: real numbers are needed, not {array.dtype}")
     if array.ndim != 1:
         raise ValueError(f"{name}: the shape has to be (k,), not {array.shape}")
-    if len(array) != count:
-        raise ValueError(f"{name}: {len(array)} numbers, but {count} are needed")
+    if len(array) != rows:
+        raise ValueError(f"{name}: {len(array)} numbers, but {rows} are needed")
     native = array.dtype.newbyteorder("=")
     array = array.astype(native if native in _SCALARS else np.dtype(np.float64), copy=False)
     return array if _readable(array) else _packed(array)

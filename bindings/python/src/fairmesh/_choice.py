@@ -89,11 +89,11 @@ def _place(given: Place) -> _abi.fairmesh_place:
     kinds = _abi.fairmesh_place_kind
     if not isinstance(given, (tuple, list)) or len(given) != 2:
         raise ValueError("within: a ball (centre, radius) or a box (low, high) is needed")
-    first = _arrays.numbers(given[0], "within", count=3).astype(float)
+    first = _arrays.numbers(given[0], "within", rows=3).astype(float)
     place = _abi.fairmesh_place()
     if np.ndim(given[1]) == 0:
         place.kind, place.centre, place.radius = kinds.BALL, tuple(first), real(given[1], "within")
     else:
-        second = _arrays.numbers(given[1], "within", count=3).astype(float)
+        second = _arrays.numbers(given[1], "within", rows=3).astype(float)
         place.kind, place.low, place.high = kinds.BOX, tuple(first), tuple(second)
     return place

@@ -85,34 +85,6 @@ class OutOfMemoryError(FairmeshError, MemoryError):
     """Memory ran out; everything that the call had allocated is free again."""
 
 
-_INPUT = {
-    Status.BAD_OPTION,
-    Status.BAD_ENUM,
-    Status.COUNT_MISMATCH,
-    Status.TOO_LARGE,
-    Status.NOT_FINITE,
-    Status.INDEX_OUT_OF_RANGE,
-    Status.REPEATED_INDEX,
-    Status.DUPLICATE_TRIANGLE,
-    Status.NON_MANIFOLD_EDGE,
-    Status.NON_MANIFOLD_VERTEX,
-    Status.INCONSISTENT_ORIENTATION,
-    Status.FREE_VERTEX_ON_BOUNDARY,
-    Status.FREE_VERTEX_WITHOUT_TRIANGLE,
-    Status.NOTHING_FIXED,
-    Status.EMPTY_REGION,
-    Status.SELECTION_OUT_OF_RANGE,
-    Status.BAD_NORMAL,
-    Status.NO_NORMAL,
-    Status.VALENCE_TOO_LARGE,
-    Status.NOT_ON_LOOP,
-    Status.BAD_GUIDE,
-    Status.GUIDES_CROSS,
-    Status.BAD_CHAIN,
-    Status.NO_BUMP,
-    Status.BAD_EDIT,
-}
-
 _KNOWN = {int(member): member for member in Status}
 _KINDS = {int(member): ElementKind[member.name] for member in _abi.fairmesh_element}
 # C structs and fields that are called otherwise in Python.
@@ -147,7 +119,7 @@ def error_of(name: str, status: int, why: _abi.fairmesh_error) -> FairmeshError:
     if known is Status.OUT_OF_MEMORY:
         made: type[FairmeshError] = OutOfMemoryError
     else:
-        made = InputError if known in _INPUT else FairmeshError
+        made = InputError if known.is_input_error else FairmeshError
     return made(known, message, element_kind=kind, element=element, other=other, argument=argument)
 
 

@@ -20,7 +20,7 @@ from ._handles import ResultHandle
 from ._hosts import Arrays, M
 from ._keywords import FairKeywords
 from ._library import Library, load
-from ._options import CurvatureView, LoopsView, NormalsView, how_far, real, target_struct, whole
+from ._options import curvature_view, how_far, loops_view, normals_view, real, target_struct, whole
 from ._records import Level, Report, level_of
 from ._reports import sized, whole_report
 from ._runs import Run, region_of
@@ -253,7 +253,7 @@ class Solver(Generic[M]):
 
     def set_boundary_normals(self, normals: Normals) -> None:
         """Asks for other boundary normals from now on, as in `fair`. The next run starts at the surface at hand."""
-        view = NormalsView(normals, self._shape[0])
+        view = normals_view(normals, self._shape[0])
         self._call("fairmesh_solver_set_boundary_normals", view.struct)
 
     def set_continuity(self, continuity: HowFar, loops: LoopContinuity | None = None) -> None:
@@ -261,7 +261,7 @@ class Solver(Generic[M]):
 
         The next run starts at the surface at hand.
         """
-        view = LoopsView(loops or {})
+        view = loops_view(loops or {})
         asked = ctypes.c_double(how_far(continuity, "continuity"))
         self._call("fairmesh_solver_set_continuity", asked, view.struct)
 
@@ -270,7 +270,7 @@ class Solver(Generic[M]):
 
         The next run starts at the surface at hand.
         """
-        view = CurvatureView(curvature, self._shape[0])
+        view = curvature_view(curvature, self._shape[0])
         self._call("fairmesh_solver_set_boundary_curvature", view.struct)
 
     def set_target(self, target: Target) -> None:

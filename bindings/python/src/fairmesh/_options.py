@@ -17,7 +17,7 @@ from ._library import load
 from ._schema import KINDS, FairingOptions
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
 
     from ._forms import Curvature, HowFar, LoopContinuity, Normals, Target
 
@@ -101,26 +101,14 @@ class Options:
         if vertices.dtype == np.float32:
             self.struct.output_precision = _abi.fairmesh_output_precision.SINGLE
         self.alive: list[Any] = set_options(self.struct, given)
-        forms = [name for name, kind in KINDS["fairmesh_options"].items() if kind == "form"]
-        for name in forms:
+        if given.get("continuity") is not None:
+            self.struct.continuity = how_far(given["continuity"], "continuity")
+        if given.get("target") is not None:
+            self.struct.target = target_struct(given["target"])
+        for name, view in VIEWS.items():
             if given.get(name) is not None:
-                self._set(name, given[name], len(vertices))
-
-    def _set(self, name: str, value: Any, vertex_count: int) -> None:
-        if name == "continuity":
-            self.struct.continuity = how_far(value, name)
-        elif name == "target":
-            self.struct.target = target_struct(value)
-        else:
-            view: NormalsView | CurvatureView | LoopsView
-            if name == "boundary_normals":
-                view = NormalsView(value, vertex_count)
-            elif name == "boundary_curvature":
-                view = CurvatureView(value, vertex_count)
-            else:
-                view = LoopsView(value)
-            self.alive.append(view)
-            setattr(self.struct, name, view.struct)
+                self.alive.append(view(given[name], len(vertices)))
+                setattr(self.struct, name, self.alive[-1].struct)
 
 
 def _number(value: Any, name: str, of: Any) -> int:
@@ -152,70 +140,72 @@ def target_struct(value: Target) -> _abi.fairmesh_target:
     return _abi.fairmesh_target(kinds.CONSTANT, 0, real(value, "target"))
 
 
-class NormalsView:
-    """Boundary normals, as the library reads them. Keeps the arrays alive."""
+class View:
+    """A struct that names arrays. Keeps them alive."""
 
-    def __init__(self, given: Normals, vertex_count: int) -> None:
-        kinds = _abi.fairmesh_boundary_normals_kind
-        self.vectors: NDArray[Any] | None = None
-        self.indices: NDArray[np.uint32] | None = None
-        if isinstance(given, str):
-            if given not in ("fitted", "averaged"):
-                raise ValueError(f"boundary_normals: {given!r} is neither 'fitted' nor 'averaged' nor an array")
-            self.struct = _abi.fairmesh_boundary_normals(kinds[given.upper()], 0)
-            return
-        if isinstance(given, tuple) and len(given) == 2:
-            self.indices = _arrays.indices(given[0], "boundary_normals")
-            self.vectors = _arrays.points(given[1], "boundary_normals", rows=len(self.indices))
-        else:
-            self.vectors = _none_as_zero(_arrays.points(given, "boundary_normals", rows=vertex_count))
-        self.struct = _abi.fairmesh_boundary_normals(kinds.GIVEN, 0, _arrays.points_view(self.vectors))
-        if self.indices is not None:
-            self.struct.vertices = _arrays.indices_view(self.indices)
+    def __init__(self, struct: Any, *alive: Any) -> None:
+        self.struct = struct
+        self._alive = alive
 
 
-class CurvatureView:
-    """Mean curvature at the boundary, as the library reads it. Keeps the arrays alive."""
-
-    def __init__(self, given: Curvature, vertex_count: int) -> None:
-        kinds, name = _abi.fairmesh_boundary_curvature_kind, "boundary_curvature"
-        self.values: NDArray[Any] | None = None
-        self.indices: NDArray[np.uint32] | None = None
-        if isinstance(given, str):
-            if given != "estimated":
-                raise ValueError(f"{name}: {given!r} is neither 'estimated' nor a mapping nor an array")
-            self.struct = _abi.fairmesh_boundary_curvature(kinds.ESTIMATED, 0)
-            return
-        if isinstance(given, abc.Mapping):
-            given = (list(given), list(given.values()))
-        if isinstance(given, tuple) and len(given) == 2:
-            self.indices = _arrays.indices(given[0], name)
-            self.values = _arrays.numbers(given[1], name, count=len(self.indices))
-            if len(self.indices) == 0:
-                # For the library, no list of vertices is one number for each.
-                self.struct = _abi.fairmesh_boundary_curvature(kinds.ESTIMATED, 0)
-                return
-        else:
-            self.values = _arrays.numbers(given, name, count=vertex_count)
-        self.struct = _abi.fairmesh_boundary_curvature(kinds.GIVEN, 0, _arrays.numbers_view(self.values))
-        if self.indices is not None:
-            self.struct.vertices = _arrays.indices_view(self.indices)
+def normals_view(given: Normals, vertex_count: int) -> View:
+    """Boundary normals, as the library reads them."""
+    kinds = _abi.fairmesh_boundary_normals_kind
+    if isinstance(given, str):
+        if given not in ("fitted", "averaged"):
+            raise ValueError(f"boundary_normals: {given!r} is neither 'fitted' nor 'averaged' nor an array")
+        return View(_abi.fairmesh_boundary_normals(kinds[given.upper()]))
+    vectors, indices = _rows(given, "boundary_normals", _arrays.points, vertex_count)
+    if indices is None:
+        vectors = _none_as_zero(vectors)
+    views = (_arrays.points_view(vectors), _arrays.list_view(indices) or _abi.fairmesh_indices())
+    return View(_abi.fairmesh_boundary_normals(kinds.GIVEN, 0, *views), vectors, indices)
 
 
-class LoopsView:
-    """How far single loops are continued, as the library reads it. Keeps the arrays alive."""
+def curvature_view(given: Curvature, vertex_count: int) -> View:
+    """Mean curvature at the boundary, as the library reads it."""
+    kinds, name = _abi.fairmesh_boundary_curvature_kind, "boundary_curvature"
+    estimated = View(_abi.fairmesh_boundary_curvature(kinds.ESTIMATED))
+    if isinstance(given, str):
+        if given != "estimated":
+            raise ValueError(f"{name}: {given!r} is neither 'estimated' nor a mapping nor an array")
+        return estimated
+    if isinstance(given, abc.Mapping):
+        given = (list(given), list(given.values()))
+    values, indices = _rows(given, name, _arrays.numbers, vertex_count)
+    if indices is not None and len(indices) == 0:
+        # For the library, no list of vertices is one number for each.
+        return estimated
+    views = (_arrays.numbers_view(values), _arrays.list_view(indices) or _abi.fairmesh_indices())
+    return View(_abi.fairmesh_boundary_curvature(kinds.GIVEN, 0, *views), values, indices)
 
-    def __init__(self, given: LoopContinuity) -> None:
-        name = "loop_continuity"
-        if not isinstance(given, abc.Mapping):
-            raise TypeError(f"{name}: a mapping from vertices to numbers is needed, not {type(given).__name__}")
-        self.struct = _abi.fairmesh_loop_continuity()
-        if not given:
-            return
-        self.indices = _arrays.indices(list(given), name)
-        self.values = np.array([how_far(value, name) for value in given.values()])
-        self.struct.values = _arrays.numbers_view(self.values)
-        self.struct.vertices = _arrays.indices_view(self.indices)
+
+def loops_view(given: LoopContinuity, vertex_count: int = 0) -> View:
+    """How far single loops are continued, as the library reads it."""
+    del vertex_count
+    name = "loop_continuity"
+    if not isinstance(given, abc.Mapping):
+        raise TypeError(f"{name}: a mapping from vertices to numbers is needed, not {type(given).__name__}")
+    indices = _arrays.indices(list(given), name)
+    values = np.array([how_far(value, name) for value in given.values()], float)
+    views = (_arrays.numbers_view(values), _arrays.indices_view(indices)) if given else ()
+    return View(_abi.fairmesh_loop_continuity(*views), indices, values)
+
+
+#: Options that name arrays.
+VIEWS: dict[str, Callable[[Any, int], View]] = {
+    "boundary_normals": normals_view,
+    "boundary_curvature": curvature_view,
+    "loop_continuity": loops_view,
+}
+
+
+def _rows(given: Any, name: str, read: Callable[..., NDArray[Any]], count: int) -> tuple[NDArray[Any], Any]:
+    """What is given of all vertices, and None; or of a pair, of these vertices, and their indices."""
+    if isinstance(given, tuple) and len(given) == 2:
+        indices = _arrays.indices(given[0], name)
+        return read(given[1], name, rows=len(indices)), indices
+    return read(given, name, rows=count), None
 
 
 def _none_as_zero(vectors: NDArray[Any]) -> NDArray[Any]:
