@@ -36,7 +36,7 @@ pub struct OptionStruct {
     /// The library's structs that it is made of, with their schemas.
     parts: Vec<(&'static str, Vec<OptionEntry>)>,
     /// What C has besides: name, type, text and default.
-    besides: &'static [[&'static str; 4]],
+    besides: Vec<[&'static str; 4]>,
 }
 
 /// What the library has in another form: by values of its own.
@@ -68,72 +68,48 @@ pub fn paper() -> Vec<OptionEntry> {
     entries
 }
 
+/// The list of all: of each struct what it says, its name, the library's structs that it is made of, and what C has besides.
+macro_rules! structs {
+    ($(
+        #[doc = $text:literal] $name:ident: $($part:ident = $schema:expr),+ => {
+            $(#[doc = $said:literal] $field:ident: $kind:ty = $default:expr;)*
+        }
+    )*) => {
+        [$(OptionStruct {
+            name: stringify!($name),
+            text: $text.trim(),
+            parts: vec![$((stringify!($part), $schema)),+],
+            besides: vec![$([stringify!($field), stringify!($kind), $said.trim(), stringify!($default)]),*],
+        }),*]
+    };
+}
+
 /// All of them.
 pub fn all() -> [OptionStruct; 4] {
-    [
-        OptionStruct {
-            name: "fairmesh_options",
-            text: "What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.",
-            parts: vec![("Options", Options::schema()), ("PaperOptions", paper())],
-            besides: &[
-                [
-                    "progress",
-                    "fairmesh_progress_fn",
-                    "Called with the progress; may be NULL, the default.",
-                    "None",
-                ],
-                [
-                    "user_data",
-                    "*mut c_void",
-                    "Handed to `progress`.",
-                    "core::ptr::null_mut()",
-                ],
-            ],
-        },
-        OptionStruct {
-            name: "fairmesh_fill_options",
-            text: "What hole filling does. Fill it by `fairmesh_fill_options_init`. How patches are faired is in a `fairmesh_options`.",
-            parts: vec![("FillOptions", FillOptions::schema()), ("Rim", Rim::schema())],
-            besides: &[
-                [
-                    "max_edges",
-                    "u64",
-                    "Holes of more edges stay open. Default: UINT64_MAX.",
-                    "u64::MAX",
-                ],
-                [
-                    "loops",
-                    "fairmesh_indices",
-                    "These loops only, as `fairmesh_boundary_loops` numbers them, outer boundaries included; NULL with count 0 (default): all holes. With a count, `max_edges` and `filter` are not read.",
-                    "fairmesh_indices::default()",
-                ],
-                [
-                    "only_listed",
-                    "u32",
-                    "Not 0: the loops of the list `loops` only, also where it is empty: then nothing is filled but groups of loops that are joined.",
-                    "0",
-                ],
-                [
-                    "filter",
-                    "fairmesh_loop_filter",
-                    "Which holes, if `loops` does not say it. All zero (default): all of them.",
-                    "fairmesh_loop_filter::default()",
-                ],
-            ],
-        },
-        OptionStruct {
-            name: "fairmesh_bridge_options",
-            text: "What a bridge shall be. Fill it by `fairmesh_bridge_options_init`. How dense it is, and what becomes of one that is not fair, is in a `fairmesh_fill_options`.",
-            parts: vec![("BridgeOptions", BridgeOptions::schema())],
-            besides: &[],
-        },
-        OptionStruct {
-            name: "fairmesh_remesh_options",
-            text: "What remeshing does. Fill it by `fairmesh_remesh_options_init`.",
-            parts: vec![("RemeshOptions", RemeshOptions::schema())],
-            besides: &[],
-        },
-    ]
+    structs! {
+        /// What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.
+        fairmesh_options: Options = Options::schema(), PaperOptions = paper() => {
+            /// Called with the progress; may be NULL, the default.
+            progress: fairmesh_progress_fn = None;
+            /// Handed to `progress`.
+            user_data: *mut c_void = core::ptr::null_mut();
+        }
+        /// What hole filling does. Fill it by `fairmesh_fill_options_init`. How patches are faired is in a `fairmesh_options`.
+        fairmesh_fill_options: FillOptions = FillOptions::schema(), Rim = Rim::schema() => {
+            /// Holes of more edges stay open. Default: UINT64_MAX.
+            max_edges: u64 = u64::MAX;
+            /// These loops only, as `fairmesh_boundary_loops` numbers them, outer boundaries included; NULL with count 0 (default): all holes. With a count, `max_edges` and `filter` are not read.
+            loops: fairmesh_indices = fairmesh_indices::default();
+            /// Not 0: the loops of the list `loops` only, also where it is empty: then nothing is filled but groups of loops that are joined.
+            only_listed: u32 = 0;
+            /// Which holes, if `loops` does not say it. All zero (default): all of them.
+            filter: fairmesh_loop_filter = fairmesh_loop_filter::default();
+        }
+        /// What a bridge shall be. Fill it by `fairmesh_bridge_options_init`. How dense it is, and what becomes of one that is not fair, is in a `fairmesh_fill_options`.
+        fairmesh_bridge_options: BridgeOptions = BridgeOptions::schema() => {}
+        /// What remeshing does. Fill it by `fairmesh_remesh_options_init`.
+        fairmesh_remesh_options: RemeshOptions = RemeshOptions::schema() => {}
+    }
 }
 
 /// The text of `src/capi/option_structs.rs`.

@@ -25,40 +25,27 @@ if TYPE_CHECKING:
     from ._forms import Curvature, HowFar, LoopContinuity, Normals, Target
 "#;
 
-/// An option that Python takes in another form than C: its name, its type, its default, and what is to be said of the form.
-const FORMS: [[&str; 4]; 6] = [
-    [
-        "boundary_normals",
-        "Normals",
-        "\"fitted\"",
-        "\"fitted\"; \"averaged\" over the faces outside; unit vectors (n, 3), zeros or NaN where none is given; or a pair (indices (k,), vectors (k, 3)). They point to the side that faces are counter-clockwise seen from. Where none is given they are fitted. Length 1 to 0.001.",
-    ],
-    ["continuity", "HowFar", "0.0", "\"g1\" is 0, \"g2\" is 1."],
-    [
-        "loop_continuity",
-        "LoopContinuity",
-        "{}",
-        "A mapping from vertices to \"g1\", \"g2\" or numbers.",
-    ],
-    [
-        "boundary_curvature",
-        "Curvature",
-        "\"estimated\"",
-        "\"estimated\"; mean curvatures in 1 / length, negative where the normals point outward of a sphere: a mapping from vertices, a pair (indices (k,), values (k,)), or an array (n,), NaN where none is given. Where none is given it is estimated.",
-    ],
-    [
-        "target",
-        "Target",
-        "\"harmonic\"",
-        "\"harmonic\", zero; a number in 1 / length^3, a positive one pushes the surface out along its normals; or \"minimal_energy\", -2 H (H^2 - K).",
-    ],
-    [
-        "output_precision",
-        "Literal[\"double\", \"single\"]",
-        "None",
-        "None: that of the array of vertices.",
-    ],
-];
+/// The list of options that Python takes in another form than C: what is to be said of the form, the name, the type, the default.
+macro_rules! forms {
+    ($(#[doc = $said:literal] $name:ident: $of:literal = $default:literal;)*) => {
+        [$([stringify!($name), $of, $default, $said.trim_ascii()]),*]
+    };
+}
+
+const FORMS: [[&str; 4]; 6] = forms! {
+    /// "fitted"; "averaged" over the faces outside; unit vectors (n, 3), zeros or NaN where none is given; or a pair (indices (k,), vectors (k, 3)). They point to the side that faces are counter-clockwise seen from. Where none is given they are fitted. Length 1 to 0.001.
+    boundary_normals: "Normals" = "\"fitted\"";
+    /// "g1" is 0, "g2" is 1.
+    continuity: "HowFar" = "0.0";
+    /// A mapping from vertices to "g1", "g2" or numbers.
+    loop_continuity: "LoopContinuity" = "{}";
+    /// "estimated"; mean curvatures in 1 / length, negative where the normals point outward of a sphere: a mapping from vertices, a pair (indices (k,), values (k,)), or an array (n,), NaN where none is given. Where none is given it is estimated.
+    boundary_curvature: "Curvature" = "\"estimated\"";
+    /// "harmonic", zero; a number in 1 / length^3, a positive one pushes the surface out along its normals; or "minimal_energy", -2 H (H^2 - K).
+    target: "Target" = "\"harmonic\"";
+    /// None: that of the array of vertices.
+    output_precision: "Literal[\"double\", \"single\"]" = "None";
+};
 
 /// The text of `_schema.py`.
 pub fn options() -> String {

@@ -47,147 +47,70 @@ pub fn outcomes() -> Vec<Outcome> {
     outcomes
 }
 
+/// The list of all: of each enumeration what it says, its name, whether programs can ask for the texts of a value, and its tables.
+macro_rules! tables {
+    ($(#[doc = $doc:literal] $name:ident $(with $texts:ident)?: $($part:expr),+;)*) => {
+        vec![$(Table {
+            name: stringify!($name),
+            doc: $doc.trim(),
+            entries: by_number(&[$($part),+]),
+            has_texts: stringify!($($texts)?) == "texts",
+        }),*]
+    };
+}
+
 /// All of them.
 pub fn all() -> Vec<Table> {
-    let table = |name, doc, parts: &[&[Entry]], has_texts| {
-        let mut entries = parts.concat();
-        entries.sort_by_key(Entry::number);
-        Table {
-            name,
-            doc,
-            entries,
-            has_texts,
-        }
-    };
-    vec![
-        table(
-            "fairmesh_status",
-            "Whether a call did what it was asked. How a solve ended is another matter, see `fairmesh_outcome`. After any \
-             status but OK no output was written, except for the `fairmesh_error`.",
-            &[statuses::STATUSES, Error::TABLE],
-            true,
-        ),
-        table(
-            "fairmesh_outcome",
-            "How a run ended that did what it was asked. The positions are usable in every case.",
-            &[Outcome::TABLE],
-            true,
-        ),
-        table(
-            "fairmesh_loose_reason",
-            "What is to be said of a surface that converged loosely.",
-            &[&[statuses::NONE], LooseReason::TABLE],
-            true,
-        ),
-        table(
-            "fairmesh_attempt_end",
-            "How an attempt at a surface ended.",
-            &[AttemptEnd::TABLE],
-            true,
-        ),
-        table(
-            "fairmesh_fill_outcome",
-            "How the filling of a loop ended.",
-            &[FillOutcome::TABLE],
-            true,
-        ),
-        table(
-            "fairmesh_fill_reason",
-            "Why a loop was left open (numbers below 32) or a patch is flat.",
-            &[&[statuses::NONE], OpenReason::TABLE, FlatReason::TABLE],
-            true,
-        ),
-        table(
-            "fairmesh_loop_kind",
-            "What kind of gap a boundary loop is.",
-            &[LoopKind::TABLE],
-            false,
-        ),
-        table(
-            "fairmesh_join_kind",
-            "Which loops get one patch together.",
-            &[Join::TABLE],
-            false,
-        ),
-        table(
-            "fairmesh_gap_kind",
-            "What lies between loops that are joined.",
-            &[GapKind::TABLE],
-            false,
-        ),
-        table(
-            "fairmesh_on_failure",
-            "What a loop gets for which no fair patch is found, or none that does not intersect itself or the mesh.",
-            &[OnFailure::TABLE],
-            false,
-        ),
-        table(
-            "fairmesh_place_kind",
-            "A part of space.",
-            &[&[statuses::EVERYWHERE], Place::TABLE],
-            false,
-        ),
-        table(
-            "fairmesh_boundary_normals_kind",
-            "Where the normals at the boundary of the region come from.",
-            &[BoundaryNormals::TABLE],
-            false,
-        ),
-        table(
-            "fairmesh_interior_normals",
-            "Normals of fixed vertices inside the region that have none given.",
-            &[InteriorNormals::TABLE],
-            false,
-        ),
-        table(
-            "fairmesh_coincident",
-            "Whether vertices at the same place are one vertex of the surface.",
-            &[Coincident::TABLE],
-            false,
-        ),
-        table(
-            "fairmesh_target_kind",
-            "What the Laplacian of the mean curvature H has to be.",
-            &[Target::TABLE],
-            false,
-        ),
-        table(
-            "fairmesh_inner_fairness",
-            "How vertices are distributed within the surface.",
-            &[InnerFairness::TABLE],
-            false,
-        ),
-        table(
-            "fairmesh_output_precision",
-            "The precision of the numbers that a result will be written in.",
-            &[OutputPrecision::TABLE],
-            false,
-        ),
-        table(
-            "fairmesh_discretization",
-            "How normals and mean curvature are discretized.",
-            &[Discretization::TABLE],
-            false,
-        ),
-        table(
-            "fairmesh_solver_kind",
-            "How the equations are solved.",
-            &[Solver::TABLE],
-            false,
-        ),
-        table(
-            "fairmesh_estimate",
-            "How the paper's scheme estimates the mean curvature before the vertices are updated.",
-            &[Estimate::TABLE],
-            false,
-        ),
-        table(
-            "fairmesh_intersections",
-            "Whether a surface is checked for triangles that intersect each other or the rest of the mesh.",
-            &[Intersections::TABLE],
-            false,
-        ),
-    ]
+    tables! {
+        /// Whether a call did what it was asked. How a solve ended is another matter, see `fairmesh_outcome`. After any status but OK no output was written, except for the `fairmesh_error`.
+        fairmesh_status with texts: statuses::STATUSES, Error::TABLE;
+        /// How a run ended that did what it was asked. The positions are usable in every case.
+        fairmesh_outcome with texts: Outcome::TABLE;
+        /// What is to be said of a surface that converged loosely.
+        fairmesh_loose_reason with texts: &[statuses::NONE], LooseReason::TABLE;
+        /// How an attempt at a surface ended.
+        fairmesh_attempt_end with texts: AttemptEnd::TABLE;
+        /// How the filling of a loop ended.
+        fairmesh_fill_outcome with texts: FillOutcome::TABLE;
+        /// Why a loop was left open (numbers below 32) or a patch is flat.
+        fairmesh_fill_reason with texts: &[statuses::NONE], OpenReason::TABLE, FlatReason::TABLE;
+        /// What kind of gap a boundary loop is.
+        fairmesh_loop_kind: LoopKind::TABLE;
+        /// Which loops get one patch together.
+        fairmesh_join_kind: Join::TABLE;
+        /// What lies between loops that are joined.
+        fairmesh_gap_kind: GapKind::TABLE;
+        /// What a loop gets for which no fair patch is found, or none that does not intersect itself or the mesh.
+        fairmesh_on_failure: OnFailure::TABLE;
+        /// A part of space.
+        fairmesh_place_kind: &[statuses::EVERYWHERE], Place::TABLE;
+        /// Where the normals at the boundary of the region come from.
+        fairmesh_boundary_normals_kind: BoundaryNormals::TABLE;
+        /// Normals of fixed vertices inside the region that have none given.
+        fairmesh_interior_normals: InteriorNormals::TABLE;
+        /// Whether vertices at the same place are one vertex of the surface.
+        fairmesh_coincident: Coincident::TABLE;
+        /// What the Laplacian of the mean curvature H has to be.
+        fairmesh_target_kind: Target::TABLE;
+        /// How vertices are distributed within the surface.
+        fairmesh_inner_fairness: InnerFairness::TABLE;
+        /// The precision of the numbers that a result will be written in.
+        fairmesh_output_precision: OutputPrecision::TABLE;
+        /// How normals and mean curvature are discretized.
+        fairmesh_discretization: Discretization::TABLE;
+        /// How the equations are solved.
+        fairmesh_solver_kind: Solver::TABLE;
+        /// How the paper's scheme estimates the mean curvature before the vertices are updated.
+        fairmesh_estimate: Estimate::TABLE;
+        /// Whether a surface is checked for triangles that intersect each other or the rest of the mesh.
+        fairmesh_intersections: Intersections::TABLE;
+    }
+}
+
+fn by_number(parts: &[&[Entry]]) -> Vec<Entry> {
+    let mut entries = parts.concat();
+    entries.sort_by_key(Entry::number);
+    entries
 }
 
 /// A text of a table as a sentence.
