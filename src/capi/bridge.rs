@@ -8,12 +8,14 @@ use super::option_structs::{fairmesh_bridge_options, fairmesh_fill_options, fair
 use super::options::{OptionsIn, refused};
 use super::outputs::{ResultOut, with_memory};
 use super::patch_sizes;
-use super::results::Content;
+use super::report;
+use super::results::{Content, Lists};
 use super::status::*;
 use super::types::*;
 use super::views::*;
 use fairmesh::{
-    BoundaryLoop, BridgeOptions, FillOptions, Join, Loops, Rim, boundary_loops_joined, bridge_with_progress,
+    BoundaryLoop, BridgeOptions, Bridged, FillOptions, Join, Loops, Rim, boundary_loops_joined,
+    bridge_with_progress,
 };
 
 /// Connects two runs of boundary edges by a strip that is tangent to the mesh at both, and faired. Each chain is given by its vertices,
@@ -65,11 +67,8 @@ pub extern "C" fn fairmesh_bridge(
         let bytes = memory_bounds::of_filling(&mesh, &sizes, &asked, false);
         result.put(bytes, &asked.callback, |tell| {
             let bridge = BridgeOptions { filling, ..bridge };
-            Ok(Content::Bridged {
-                bridged: bridge_with_progress(&positions, &triangles, chains, &bridge, tell)?,
-                vertices: positions.len(),
-                triangles: triangles.len(),
-            })
+            let bridged = bridge_with_progress(&positions, &triangles, chains, &bridge, tell)?;
+            Ok(content(bridged, [positions.len(), triangles.len()]))
         })
     })
 }
@@ -85,6 +84,22 @@ fn read_bridge_options(
         .validate()
         .map_err(|error| refused(error, argument, fairmesh_bridge_options::place))?;
     Ok(asked)
+}
+
+/// The strip, then the holes beside it; the last report is that of all that is new together.
+fn content(of: Bridged, given: [usize; 2]) -> Content {
+    let bridge = Some(report::bridge(&of));
+    let kind = fairmesh_result_kind::Bridged;
+    let mut made = Content::mesh(kind, of.positions, of.triangles, &of.parents, given)
+        .with_patches([of.strip].into_iter().chain(of.rest).collect());
+    let whole = of.whole;
+    made.reports
+        .push(whole.ok_or("report of all that is new together: it was not faired so"));
+    made.lists.extend([
+        (fairmesh_list::BridgeChain, Lists::Each("chain", of.chains.into())),
+        (fairmesh_list::BridgeSide, Lists::Each("side", of.sides.into())),
+    ]);
+    Content { bridge, ..made }
 }
 
 /// The loops that vertices of the chains are on.

@@ -6,11 +6,11 @@ use super::guard::guarded;
 use super::input::{MeshIn, optional_list_in};
 use super::memory_bounds;
 use super::outputs::ResultOut;
-use super::results::Content;
+use super::results::{Content, Lists};
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use fairmesh::carry_over;
+use fairmesh::{Carried, Parents, carry_over};
 
 /// Finds per point the nearest one of some triangles of a mesh: to carry colours and the like over from triangles that were erased to the
 /// vertices that took their place. The list CARRIED_TRIANGLES of the result has the triangles, the list PARENTS their corners, and the vectors
@@ -42,8 +42,34 @@ pub extern "C" fn fairmesh_carry_over(
                 None => (0..triangles.len() as u32).collect(),
             };
             carry_over(&positions, &triangles, &among, &points)
-                .map(Content::Carried)
+                .map(|carried| content(&carried))
                 .map_err(|error| missing(error, fairmesh_element::Triangle))
         })
     })
+}
+
+fn content(points: &[Option<Carried>]) -> Content {
+    let sizes = fairmesh_info {
+        new_vertex_count: points.len() as u64,
+        ..fairmesh_info::default()
+    };
+    let nowhere = Carried {
+        triangle: u32::MAX,
+        parents: Parents {
+            vertices: [u32::MAX; 3],
+            weights: [0.0; 3],
+        },
+    };
+    let places = || points.iter().map(|place| place.unwrap_or(nowhere));
+    let triangles = places().map(|of| of.triangle).collect();
+    let corners = places().flat_map(|of| of.parents.vertices).collect();
+    let weights = places().map(|of| of.parents.weights).collect();
+    Content {
+        vectors: Some((fairmesh_vectors::ParentWeights, weights)),
+        lists: vec![
+            (fairmesh_list::CarriedTriangles, Lists::One(triangles)),
+            (fairmesh_list::Parents, Lists::One(corners)),
+        ],
+        ..Content::new(fairmesh_result_kind::Carried, sizes)
+    }
 }

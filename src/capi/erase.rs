@@ -6,7 +6,7 @@ use super::guard::guarded;
 use super::input::{MeshIn, list_in, optional_list_in};
 use super::memory_bounds;
 use super::outputs::{ResultOut, of_whole_mesh};
-use super::results::Content;
+use super::results::{Content, Lists, as_list};
 use super::status::*;
 use super::types::*;
 use super::views::*;
@@ -14,6 +14,8 @@ use fairmesh::{
     BoundaryLoop, Error, LoopKind, TrimLimits, boundary_loops_joined, erase_and_clean, triangle_components,
     trim_boundary,
 };
+
+use fairmesh_list as List;
 
 /// Deletes triangles, and what would hang loose where they were, so that new patches can take their place. The list KEPT_TRIANGLES of
 /// the result is the mesh that is left, its vertices being those given, used or not; the list ERASED_LOOPS has the loops to be filled
@@ -38,10 +40,23 @@ pub extern "C" fn fairmesh_erase(
         let erased = erased.list()?;
         let bytes = memory_bounds::of_erasing(&mesh);
         result.put(bytes, &HostCallback::none(), |_| {
-            let left = erase_and_clean(&positions, &triangles, &erased, mesh.coincident, count(cleaned));
-            let erased = left.map_err(|error| missing(error, fairmesh_element::Triangle))?;
-            let vertices = positions.len();
-            Ok(Content::Erased { erased, vertices })
+            let left = erase_and_clean(&positions, &triangles, &erased, mesh.coincident, count(cleaned))
+                .map_err(|error| missing(error, fairmesh_element::Triangle))?;
+            let sizes = fairmesh_info {
+                vertex_count: positions.len() as u64,
+                triangle_count: left.kept.len() as u64,
+                loop_count: left.loops.len() as u64,
+                dropped_count: left.dropped as u64,
+                cleaned_count: left.cleaned as u64,
+                ..fairmesh_info::default()
+            };
+            Ok(Content {
+                lists: vec![
+                    (List::KeptTriangles, Lists::One(left.kept)),
+                    (List::ErasedLoops, Lists::One(as_list(&left.loops))),
+                ],
+                ..Content::new(fairmesh_result_kind::Erased, sizes)
+            })
         })
     })
 }
@@ -92,10 +107,16 @@ pub extern "C" fn fairmesh_trim_boundary(
             };
             let trimmed = trim_boundary(&positions, &triangles, &loops, &limits, mesh.coincident)
                 .map_err(|error| missing(error, fairmesh_element::Loop))?;
-            Ok(Content::Trimmed {
-                trimmed,
-                vertices: positions.len(),
-                triangles: triangles.len(),
+            let sizes = fairmesh_info {
+                vertex_count: positions.len() as u64,
+                triangle_count: trimmed.kept.len() as u64,
+                dropped_count: (triangles.len() - trimmed.kept.len()) as u64,
+                dropped_area: trimmed.area,
+                ..fairmesh_info::default()
+            };
+            Ok(Content {
+                lists: vec![(List::KeptTriangles, Lists::One(trimmed.kept))],
+                ..Content::new(fairmesh_result_kind::Trimmed, sizes)
             })
         })
     })
@@ -125,9 +146,17 @@ pub extern "C" fn fairmesh_components(
 ) -> fairmesh_status {
     guarded(error, |call| {
         of_whole_mesh(mesh, result, call, |positions, triangles, coincident| {
-            let vertices = positions.len();
             let of = triangle_components(positions, triangles, coincident)?;
-            Ok(Content::Components { of, vertices })
+            let sizes = fairmesh_info {
+                vertex_count: positions.len() as u64,
+                triangle_count: of.len() as u64,
+                component_count: of.iter().max().map_or(0, |last| u64::from(*last) + 1),
+                ..fairmesh_info::default()
+            };
+            Ok(Content {
+                lists: vec![(List::TriangleComponents, Lists::One(of))],
+                ..Content::new(fairmesh_result_kind::Components, sizes)
+            })
         })
     })
 }

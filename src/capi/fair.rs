@@ -10,11 +10,11 @@ use super::option_structs::fairmesh_options;
 use super::options::OptionsIn;
 use super::outputs::*;
 use super::report;
-use super::results::Content;
+use super::results::{Content, Lists};
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use fairmesh::{OutputPrecision, Progress, Solution, fair_with_progress};
+use fairmesh::{OutputPrecision, Progress, fair_with_progress};
 use fairmesh::{mean_curvature_joined, self_intersections};
 
 /// Moves the free vertices of a mesh until the surface solves Delta_B H = 0, or what the options' target asks, between the
@@ -64,12 +64,12 @@ pub extern "C" fn fairmesh_fair(
                 out.points
                     .check_range(solution.positions.iter().copied().enumerate())?;
             }
-            let content = Arc::new(Content::Faired(solution));
+            let content = Arc::new(Content::from(solution));
             if !result.is_null() {
                 publish(content.clone(), result, watch)?;
             }
-            if let (Some(out), Content::Faired(solution)) = (&out, &*content) {
-                out.write(solution);
+            if let Some(out) = &out {
+                out.write(content.positions()?, content.scalars(0)?);
             }
             if let Some(out) = report_out {
                 out.write(&report::report(content.report(0)?));
@@ -105,15 +105,12 @@ impl PositionsOut {
         Ok(Some(Self { points, in_place }))
     }
 
-    fn write(&self, solution: &Solution) {
+    fn write(&self, positions: &[[f64; 3]], free: &[(u32, f64)]) {
+        let put = |v: usize| self.points.set(v, positions[v]);
         if self.in_place {
-            for &(v, _) in &solution.mean_curvature {
-                self.points.set(v as usize, solution.positions[v as usize]);
-            }
+            free.iter().for_each(|(v, _)| put(*v as usize));
         } else {
-            for (v, p) in solution.positions.iter().enumerate() {
-                self.points.set(v, *p);
-            }
+            (0..positions.len()).for_each(put);
         }
     }
 }
@@ -164,8 +161,11 @@ pub extern "C" fn fairmesh_self_intersections(
         let among = among.map(|list| list.list()).transpose()?;
         let bytes = memory_bounds::of_whole_mesh(&mesh, 0);
         result.put(bytes, &HostCallback::none(), |_| {
-            let pairs = self_intersections(&positions, &triangles, among.as_deref())?;
-            Ok(Content::Intersections(pairs))
+            let pairs = self_intersections(&positions, &triangles, among.as_deref())?.into_flattened();
+            Ok(Content {
+                lists: vec![(fairmesh_list::Intersections, Lists::One(pairs))],
+                ..Content::new(fairmesh_result_kind::Intersections, fairmesh_info::default())
+            })
         })
     })
 }

@@ -9,13 +9,14 @@ use super::option_structs::{fairmesh_fill_options, fairmesh_options, fairmesh_re
 use super::options::OptionsIn;
 use super::outputs::*;
 use super::patch_sizes::{self, PatchSizes};
-use super::results::Content;
+use super::report;
+use super::results::{Content, Lists, as_list};
 use super::status::*;
 use super::types::*;
 use super::views::*;
 use fairmesh::{
-    FillOptions, Join, Options, RemeshOptions, boundary_loops_joined, fill_holes_with_progress,
-    remesh_region, rim_roughness, suggest_joins,
+    BoundaryLoop, FillOptions, Join, Options, RemeshOptions, Roughness, boundary_loops_joined,
+    fill_holes_with_progress, remesh_region, rim_roughness, suggest_joins,
 };
 
 /// Finds the boundary loops of a mesh: holes and outer boundaries. `result` gets a handle; free it.
@@ -27,10 +28,8 @@ pub extern "C" fn fairmesh_boundary_loops(
 ) -> fairmesh_status {
     guarded(error, |call| {
         of_whole_mesh(mesh, result, call, |positions, triangles, coincident| {
-            Ok(Content::Loops {
-                loops: boundary_loops_joined(positions, triangles, coincident)?,
-                roughness: Vec::new(),
-            })
+            let loops = boundary_loops_joined(positions, triangles, coincident)?;
+            Ok(of_loops(loops, &[]))
         })
     })
 }
@@ -48,12 +47,41 @@ pub extern "C" fn fairmesh_rim_roughness(
         of_whole_mesh(mesh, result, call, |positions, triangles, coincident| {
             let bytes = memory_bounds::of_rims(positions.len(), triangles.len());
             let _reserve = memory_bounds::reserve(bytes)?;
-            Ok(Content::Loops {
-                loops: boundary_loops_joined(positions, triangles, coincident)?,
-                roughness: rim_roughness(positions, triangles, coincident)?,
-            })
+            let loops = boundary_loops_joined(positions, triangles, coincident)?;
+            Ok(of_loops(loops, &rim_roughness(positions, triangles, coincident)?))
         })
     })
+}
+
+/// How rough their rims are is told of each loop, or of none.
+fn of_loops(loops: Vec<BoundaryLoop>, roughness: &[Option<Roughness>]) -> Content {
+    let sizes = fairmesh_info {
+        loop_count: loops.len() as u64,
+        ..fairmesh_info::default()
+    };
+    let rough = roughness
+        .iter()
+        .map(Option::as_ref)
+        .chain(std::iter::repeat(None));
+    let records = loops.iter().zip(rough);
+    let records = records
+        .map(|(of, rough)| report::boundary_loop(of, rough))
+        .collect();
+    let (vertices, touching) = loops.into_iter().map(|of| (of.vertices, of.touching)).unzip();
+    Content {
+        loops: records,
+        lists: vec![
+            (
+                fairmesh_list::LoopVertices,
+                Lists::Each("boundary loop", vertices),
+            ),
+            (
+                fairmesh_list::LoopTouching,
+                Lists::Each("boundary loop", touching),
+            ),
+        ],
+        ..Content::new(fairmesh_result_kind::Loops, sizes)
+    }
 }
 
 /// Fills holes: triangulates, refines and fairs each, or several together. Vertices and triangles given keep their numbers and bits, but for
@@ -79,11 +107,10 @@ pub extern "C" fn fairmesh_fill_holes(
         let sizes = sizes_of(&mesh, &positions, &triangles, &fill)?.limited(fill.max_new_vertices);
         let bytes = memory_bounds::of_filling(&mesh, &sizes, &asked, fill.rim.relax > 0);
         result.put(bytes, &asked.callback, |tell| {
-            Ok(Content::Filled {
-                filled: fill_holes_with_progress(&positions, &triangles, &fill, tell)?,
-                vertices: positions.len(),
-                triangles: triangles.len(),
-            })
+            let of = fill_holes_with_progress(&positions, &triangles, &fill, tell)?;
+            let (kind, given) = (fairmesh_result_kind::Filled, [positions.len(), triangles.len()]);
+            let mesh = Content::mesh(kind, of.positions, of.triangles, &of.parents, given);
+            Ok(mesh.with_patches(of.loops))
         })
     })
 }
@@ -112,7 +139,17 @@ pub extern "C" fn fairmesh_suggest_joins(
         let sizes = sizes_of(&mesh, &positions, &triangles, &fill)?;
         let bytes = memory_bounds::of_joining(&mesh, &sizes);
         result.put(bytes, &HostCallback::none(), |_| {
-            Ok(Content::Joins(suggest_joins(&positions, &triangles, &fill)?))
+            let joins = suggest_joins(&positions, &triangles, &fill)?;
+            let sizes = fairmesh_info {
+                loop_count: joins.len() as u64,
+                ..fairmesh_info::default()
+            };
+            let loops = joins.iter().map(|of| as_list(&of.loops)).collect();
+            Ok(Content {
+                suggestions: joins.iter().map(report::suggestion).collect(),
+                lists: vec![(fairmesh_list::JoinedLoops, Lists::Each("group of loops", loops))],
+                ..Content::new(fairmesh_result_kind::Joins, sizes)
+            })
         })
     })
 }
@@ -153,8 +190,7 @@ pub extern "C" fn fairmesh_remesh(
         let (positions, triangles) = mesh.read()?;
         let bytes = memory_bounds::of_remeshing(&mesh, &selected, asked.max_vertices)?;
         result.put(bytes, &HostCallback::none(), |_| {
-            let remeshed = remesh_region(&positions, &triangles, selected.selection(), &asked)?;
-            Ok(Content::Remeshed(remeshed))
+            Ok(remesh_region(&positions, &triangles, selected.selection(), &asked)?.into())
         })
     })
 }

@@ -5,7 +5,7 @@ use super::handles;
 use super::memory_bounds;
 use super::outputs::*;
 use super::report;
-use super::results::Content;
+use super::results::{Content, attempt_of, component_of, continuity_of, entry, not_available};
 use super::status::*;
 use super::types::*;
 use super::views::*;
@@ -20,7 +20,7 @@ pub extern "C" fn fairmesh_result_info(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     read_result(result, error, |content, call| {
-        put_record(info, Argument(2), call, || Ok(content.info()))
+        put_record(info, Argument(2), call, || Ok(content.info))
     })
 }
 
@@ -48,7 +48,9 @@ pub extern "C" fn fairmesh_result_level(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     read_result(result, error, |content, call| {
-        put_record(level, Argument(3), call, || content.level(index))
+        put_record(level, Argument(3), call, || {
+            entry(&content.report(0)?.levels, index, "level").map(report::level)
+        })
     })
 }
 
@@ -63,7 +65,9 @@ pub extern "C" fn fairmesh_result_component(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     read_result(result, error, |content, call| {
-        put_record(component, Argument(4), call, || content.component(index, number))
+        put_record(component, Argument(4), call, || {
+            component_of(content.report(index)?, number)
+        })
     })
 }
 
@@ -80,7 +84,7 @@ pub extern "C" fn fairmesh_result_attempt(
 ) -> fairmesh_status {
     read_result(result, error, |content, call| {
         put_record(attempt, Argument(5), call, || {
-            content.attempt(index, component, number)
+            attempt_of(content.report(index)?, component, number)
         })
     })
 }
@@ -98,7 +102,7 @@ pub extern "C" fn fairmesh_result_continuity(
 ) -> fairmesh_status {
     read_result(result, error, |content, call| {
         put_record(continuity, Argument(5), call, || {
-            content.continuity(index, component, number)
+            continuity_of(content.report(index)?, component, number)
         })
     })
 }
@@ -112,7 +116,9 @@ pub extern "C" fn fairmesh_result_loop(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     read_result(result, error, |content, call| {
-        put_record(boundary_loop, Argument(3), call, || content.boundary_loop(index))
+        put_record(boundary_loop, Argument(3), call, || {
+            entry(&content.loops, index, "boundary loop").copied()
+        })
     })
 }
 
@@ -125,7 +131,9 @@ pub extern "C" fn fairmesh_result_fill_report(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     read_result(result, error, |content, call| {
-        put_record(report, Argument(3), call, || content.filled_loop(index))
+        put_record(report, Argument(3), call, || {
+            entry(&content.fill_reports, index, "filled loop").copied()
+        })
     })
 }
 
@@ -138,7 +146,9 @@ pub extern "C" fn fairmesh_result_suggestion(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     read_result(result, error, |content, call| {
-        put_record(suggestion, Argument(3), call, || content.suggestion(index))
+        put_record(suggestion, Argument(3), call, || {
+            entry(&content.suggestions, index, "group of loops").copied()
+        })
     })
 }
 
@@ -150,7 +160,9 @@ pub extern "C" fn fairmesh_result_bridge(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     read_result(result, error, |content, call| {
-        put_record(report, Argument(2), call, || content.bridge())
+        put_record(report, Argument(2), call, || {
+            content.bridge.ok_or_else(|| not_available("bridge"))
+        })
     })
 }
 
@@ -163,7 +175,9 @@ pub extern "C" fn fairmesh_result_bump(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     read_result(result, error, |content, call| {
-        put_record(bump, Argument(3), call, || content.bump(index))
+        put_record(bump, Argument(3), call, || {
+            entry(&content.bumps, index, "bump").copied()
+        })
     })
 }
 
@@ -193,7 +207,8 @@ pub extern "C" fn fairmesh_result_triangles(
         let out = triangles_out(&view, Argument(2))?;
         call.output(out.data, out.bytes, Argument(2))?;
         call.end(Argument(3))?;
-        let triangles = content.triangles()?;
+        let triangles = content.triangles.as_deref();
+        let triangles = triangles.ok_or_else(|| not_available("triangles: they are those given"))?;
         let place = field!(Argument(2), fairmesh_indices_out.count);
         check_count(out.count, triangles.len(), place)?;
         triangles.iter().enumerate().for_each(|(k, t)| out.put(k, *t));
@@ -212,8 +227,8 @@ pub extern "C" fn fairmesh_result_scalars(
     read_result(result, error, |content, call| {
         let out = Numbers::scalars_out(&call.read(out, Argument(3))?, Argument(3).start())?;
         let out = last(out, Argument(3), call)?;
-        let (values, vertices) = content.scalars(which)?;
-        put_scalars(&out, values, vertices, Argument(3))
+        let vertices = content.info.vertex_count as usize;
+        put_scalars(&out, content.scalars(which)?, vertices, Argument(3))
     })
 }
 
@@ -228,10 +243,7 @@ pub extern "C" fn fairmesh_result_vectors(
     read_result(result, error, |content, call| {
         let out = Points::points_out(&call.read(out, Argument(3))?, Argument(3).start())?;
         let out = last(out, Argument(3), call)?;
-        let (count, vector) = content.vectors(which)?;
-        out.check_count(count, Argument(3))?;
-        (0..count).for_each(|k| out.set(k, vector(k)));
-        Ok(())
+        put_positions(&out, content.vectors(which)?, Argument(3))
     })
 }
 
@@ -253,7 +265,8 @@ pub extern "C" fn fairmesh_result_list(
         call.output(out.data, out.bytes, Argument(4))?;
         call.output(size, size_of::<usize>(), Argument(6))?;
         call.end(Argument(7))?;
-        let (count, entry) = content.list(which, index)?;
+        let list = content.list(which, index)?;
+        let count = list.len();
         write(size, count);
         if out.data.is_null() {
             return Ok(());
@@ -262,7 +275,7 @@ pub extern "C" fn fairmesh_result_list(
             let why = format_args!("there is room for {capacity}, but there are {count}");
             return Err(Argument(5).itself().refuse(Status::BufferTooSmall, why));
         }
-        (0..count).for_each(|k| out.put(k, [entry(k)]));
+        list.iter().enumerate().for_each(|(k, i)| out.put(k, [*i]));
         Ok(())
     })
 }

@@ -245,7 +245,7 @@ pub enum fairmesh_result_kind {
 
 /// The sizes of a result. Set `struct_size` before the call.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct fairmesh_info {
     /// `sizeof(fairmesh_result_info)`.
     pub struct_size: u32,

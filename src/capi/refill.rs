@@ -57,7 +57,7 @@ pub extern "C" fn fairmesh_refill(
         result.put(bytes.saturating_add(look), &asked.callback, |tell| {
             let selection = selected.selection();
             refill_region_with_progress(&positions, &triangles, selection, &filling, tell)?
-                .map(Content::Remeshed)
+                .map(Content::from)
                 .ok_or_else(|| {
                     let why = format_args!(
                         "deleted and filled, the region gets no fair patch that intersects nothing"

@@ -6,7 +6,8 @@ use super::guard::guarded;
 use super::input::MeshIn;
 use super::memory_bounds;
 use super::outputs::ResultOut;
-use super::results::Content;
+use super::report;
+use super::results::{Content, Lists, as_list};
 use super::status::*;
 use super::types::*;
 use super::views::*;
@@ -128,9 +129,19 @@ pub extern "C" fn fairmesh_select_region(
         let listed = lists.fold(0, usize::saturating_add);
         let bytes = memory_bounds::of_selecting(&mesh, step_count, listed);
         result.put(bytes, &HostCallback::none(), |_| {
-            Ok(Content::Region {
-                region: select_region(&positions, &triangles, &asked, mesh.coincident)?,
-                vertices: positions.len(),
+            let region = select_region(&positions, &triangles, &asked, mesh.coincident)?;
+            let sizes = fairmesh_info {
+                vertex_count: positions.len() as u64,
+                triangle_count: region.triangles.len() as u64,
+                ..fairmesh_info::default()
+            };
+            Ok(Content {
+                bumps: region.bumps.iter().map(report::bump).collect(),
+                lists: vec![
+                    (fairmesh_list::RegionTriangles, Lists::One(region.triangles)),
+                    (fairmesh_list::RegionCounts, Lists::One(as_list(&region.counts))),
+                ],
+                ..Content::new(fairmesh_result_kind::Region, sizes)
             })
         })
     })

@@ -11,7 +11,7 @@ use super::option_structs::fairmesh_options;
 use super::options::{OptionsIn, refused, target};
 use super::outputs::*;
 use super::report;
-use super::results::{Content, attempt_of, component_of, continuity_of};
+use super::results::{attempt_of, component_of, continuity_of};
 use super::solvers::{Shared, Solver, busy, with_solver};
 use super::status::*;
 use super::types::*;
@@ -253,7 +253,7 @@ pub extern "C" fn fairmesh_solver_result(
     with_solver(solver, error, |solver, call| {
         let result = ResultOut::last(result, Argument(2), call)?;
         result.put(solver.need, &solver.callback, |_| {
-            Ok(Content::Faired(solver.session.solution().clone()))
+            Ok(solver.session.solution().clone().into())
         })
     })
 }
