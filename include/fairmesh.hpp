@@ -67,6 +67,20 @@ template <class Struct> Struct sized() {
     return made;
 }
 
+/** The struct that a function of the library fills, the last of its arguments but the error. */
+template <class Struct, class Function, class... Arguments> Struct record(Function function, Arguments... arguments) {
+    auto made = sized<Struct>();
+    call(function, arguments..., &made);
+    return made;
+}
+
+/** Gives options their defaults. */
+template <class Options>
+void init(fairmesh_status (*defaults)(Options *, std::size_t), std::common_type_t<Options> *options) {
+    fairmesh_error why = no_error();
+    check(defaults(options, sizeof *options), why);
+}
+
 } // namespace detail
 
 /** Points to be read or written: `count` of them, three numbers at every `stride` bytes (0: nothing between). */
@@ -108,29 +122,31 @@ inline fairmesh_mesh mesh(const std::vector<std::array<double, 3>> &positions,
 /** All vertices that are not on the boundary of the mesh are free. */
 inline fairmesh_selection interior() { return detail::sized<fairmesh_selection>(); }
 
+namespace detail {
+
+template <class Entry> fairmesh_selection selection(fairmesh_selection_kind kind, const std::vector<Entry> &entries) {
+    auto made = sized<fairmesh_selection>();
+    made.kind = kind;
+    made.data = entries.data();
+    made.count = entries.size();
+    return made;
+}
+
+} // namespace detail
+
 /** One byte per vertex: not zero is free. */
 inline fairmesh_selection free_mask(const std::vector<std::uint8_t> &mask) {
-    auto made = detail::sized<fairmesh_selection>();
-    made.kind = FAIRMESH_SELECTION_KIND_FREE_MASK;
-    made.data = mask.data();
-    made.count = mask.size();
-    return made;
+    return detail::selection(FAIRMESH_SELECTION_KIND_FREE_MASK, mask);
 }
 
 /** The free vertices. */
 inline fairmesh_selection free_vertices(const std::vector<std::uint32_t> &vertices) {
-    auto made = detail::sized<fairmesh_selection>();
-    made.kind = FAIRMESH_SELECTION_KIND_FREE_VERTICES;
-    made.data = vertices.data();
-    made.count = vertices.size();
-    return made;
+    return detail::selection(FAIRMESH_SELECTION_KIND_FREE_VERTICES, vertices);
 }
 
 /** The selected triangles. */
 inline fairmesh_selection faces(const std::vector<std::uint32_t> &triangles) {
-    auto made = free_vertices(triangles);
-    made.kind = FAIRMESH_SELECTION_KIND_FACES;
-    return made;
+    return detail::selection(FAIRMESH_SELECTION_KIND_FACES, triangles);
 }
 
 /** Told how far a run is; false stops it. It may throw: the call throws the same. */
@@ -139,8 +155,7 @@ using progress = std::function<bool(const fairmesh_progress &)>;
 /** fairmesh_options with their defaults, and a progress callback of C++. */
 struct options : fairmesh_options {
     options() : fairmesh_options() {
-        fairmesh_error why = detail::no_error();
-        detail::check(fairmesh_options_init(this, sizeof(fairmesh_options)), why);
+        detail::init(fairmesh_options_init, this);
     }
 
     /** In place of `progress` and `user_data` of the C struct. */
@@ -197,58 +212,38 @@ public:
     fairmesh_result *get() const noexcept { return handle_; }
 
     fairmesh_info info() const {
-        auto made = detail::sized<fairmesh_info>();
-        detail::call(fairmesh_result_info, handle_, &made);
-        return made;
+        return detail::record<fairmesh_info>(fairmesh_result_info, handle_);
     }
     fairmesh_report report(std::uint64_t index = 0) const {
-        auto made = detail::sized<fairmesh_report>();
-        detail::call(fairmesh_result_report, handle_, index, &made);
-        return made;
+        return detail::record<fairmesh_report>(fairmesh_result_report, handle_, index);
     }
     fairmesh_level level(std::uint64_t index) const {
-        auto made = detail::sized<fairmesh_level>();
-        detail::call(fairmesh_result_level, handle_, index, &made);
-        return made;
+        return detail::record<fairmesh_level>(fairmesh_result_level, handle_, index);
     }
     fairmesh_component component(std::uint64_t number, std::uint64_t index = 0) const {
-        auto made = detail::sized<fairmesh_component>();
-        detail::call(fairmesh_result_component, handle_, index, number, &made);
-        return made;
+        return detail::record<fairmesh_component>(fairmesh_result_component, handle_, index, number);
     }
     /** An attempt at the surface of a component. */
     fairmesh_attempt attempt(std::uint64_t component, std::uint64_t number, std::uint64_t index = 0) const {
-        auto made = detail::sized<fairmesh_attempt>();
-        detail::call(fairmesh_result_attempt, handle_, index, component, number, &made);
-        return made;
+        return detail::record<fairmesh_attempt>(fairmesh_result_attempt, handle_, index, component, number);
     }
     /** A boundary loop of a component whose curvature was to be continued. */
     fairmesh_continuity continuity(std::uint64_t component, std::uint64_t number, std::uint64_t index = 0) const {
-        auto made = detail::sized<fairmesh_continuity>();
-        detail::call(fairmesh_result_continuity, handle_, index, component, number, &made);
-        return made;
+        return detail::record<fairmesh_continuity>(fairmesh_result_continuity, handle_, index, component, number);
     }
     fairmesh_loop loop(std::uint64_t index) const {
-        auto made = detail::sized<fairmesh_loop>();
-        detail::call(fairmesh_result_loop, handle_, index, &made);
-        return made;
+        return detail::record<fairmesh_loop>(fairmesh_result_loop, handle_, index);
     }
     fairmesh_fill_report fill_report(std::uint64_t index) const {
-        auto made = detail::sized<fairmesh_fill_report>();
-        detail::call(fairmesh_result_fill_report, handle_, index, &made);
-        return made;
+        return detail::record<fairmesh_fill_report>(fairmesh_result_fill_report, handle_, index);
     }
     /** A group of loops that would be joined. */
     fairmesh_join_suggestion suggestion(std::uint64_t index) const {
-        auto made = detail::sized<fairmesh_join_suggestion>();
-        detail::call(fairmesh_result_suggestion, handle_, index, &made);
-        return made;
+        return detail::record<fairmesh_join_suggestion>(fairmesh_result_suggestion, handle_, index);
     }
     /** What became of a bridge. */
     fairmesh_bridge_report bridge_report() const {
-        auto made = detail::sized<fairmesh_bridge_report>();
-        detail::call(fairmesh_result_bridge, handle_, &made);
-        return made;
+        return detail::record<fairmesh_bridge_report>(fairmesh_result_bridge, handle_);
     }
     void positions(const fairmesh_points_out &out) const { detail::call(fairmesh_result_positions, handle_, &out); }
     std::vector<std::array<double, 3>> positions() const {
@@ -293,36 +288,54 @@ private:
     fairmesh_result *handle_ = nullptr;
 };
 
+namespace detail {
+
+/** The result that a function of the library makes, its last argument but the error. */
+template <class Function, class... Arguments> result made(Function function, Arguments... arguments) {
+    fairmesh_result *handle = nullptr;
+    call(function, arguments..., &handle);
+    return result(handle);
+}
+
+/** Runs something with these options; what their callback throws goes before what the library says of it. */
+template <class Run> auto relayed(const fairmesh::options &asked, Run run) {
+    relay through;
+    const auto plain = with(asked, through);
+    try {
+        auto made = run(&plain);
+        through.rethrow();
+        return made;
+    } catch (const error &) {
+        through.rethrow();
+        throw;
+    }
+}
+
+} // namespace detail
+
 /** Fairs a mesh; see fairmesh_fair. Positions go to `out`, which may be the mesh's own. Returns the report. */
 inline fairmesh_report fair(const fairmesh_mesh &mesh, const fairmesh_selection &selection, const options &asked,
                             const fairmesh_points_out &out) {
-    detail::relay relay;
-    auto plain = detail::with(asked, relay);
-    auto report = detail::sized<fairmesh_report>();
-    detail::call(fairmesh_fair, &mesh, &selection, &plain, &out, &report, static_cast<fairmesh_result **>(nullptr));
-    relay.rethrow();
-    return report;
+    return detail::relayed(asked, [&](const fairmesh_options *plain) {
+        auto report = detail::sized<fairmesh_report>();
+        detail::call(fairmesh_fair, &mesh, &selection, plain, &out, &report, static_cast<fairmesh_result **>(nullptr));
+        return report;
+    });
 }
 
 /** The same, with everything that was found. */
 inline result fair(const fairmesh_mesh &mesh, const fairmesh_selection &selection = interior(),
                    const options &asked = options()) {
-    detail::relay relay;
-    auto plain = detail::with(asked, relay);
-    fairmesh_result *handle = nullptr;
-    detail::call(fairmesh_fair, &mesh, &selection, &plain, static_cast<const fairmesh_points_out *>(nullptr),
-                 static_cast<fairmesh_report *>(nullptr), &handle);
-    result made(handle);
-    relay.rethrow();
-    return made;
+    return detail::relayed(asked, [&](const fairmesh_options *plain) {
+        return detail::made(fairmesh_fair, &mesh, &selection, plain, static_cast<const fairmesh_points_out *>(nullptr),
+                            static_cast<fairmesh_report *>(nullptr));
+    });
 }
 
 namespace detail {
 
 inline std::vector<std::array<std::uint32_t, 2>> self_intersections(const fairmesh_mesh &mesh, const fairmesh_indices *among) {
-    fairmesh_result *handle = nullptr;
-    call(fairmesh_self_intersections, &mesh, among, &handle);
-    const auto list = result(handle).list(FAIRMESH_LIST_INTERSECTIONS);
+    const auto list = made(fairmesh_self_intersections, &mesh, among).list(FAIRMESH_LIST_INTERSECTIONS);
     std::vector<std::array<std::uint32_t, 2>> pairs(list.size() / 2);
     for (std::size_t k = 0; k < pairs.size(); ++k) pairs[k] = {list[2 * k], list[2 * k + 1]};
     return pairs;
@@ -405,8 +418,7 @@ public:
     fairmesh_solver *get() const noexcept { return handle_; }
 
     fairmesh_report run(std::uint64_t iterations = UINT64_MAX) {
-        auto report = detail::sized<fairmesh_report>();
-        detail::call(fairmesh_solver_run, handle_, iterations, &report);
+        const auto report = detail::record<fairmesh_report>(fairmesh_solver_run, handle_, iterations);
         relay_->rethrow();
         return report;
     }
@@ -429,21 +441,17 @@ public:
         limit.evaluations = evaluations;
         limit.seconds = seconds;
         limit.tolerance = tolerance;
-        auto made = detail::sized<fairmesh_frame>();
-        detail::call(fairmesh_solver_update, handle_, &limit, &made);
-        return made;
+        return detail::record<fairmesh_frame>(fairmesh_solver_update, handle_, &limit);
     }
     /** The converged surface; see fairmesh_solver_finish. */
     fairmesh_report finish() {
-        auto report = detail::sized<fairmesh_report>();
-        detail::call(fairmesh_solver_finish, handle_, &report);
+        const auto report = detail::record<fairmesh_report>(fairmesh_solver_finish, handle_);
         relay_->rethrow();
         return report;
     }
     /** The smallest and largest amount of a bulge; see fairmesh_solver_bulge_range. */
     std::array<double, 2> bulge_range() {
-        auto made = detail::sized<fairmesh_bulge_range>();
-        detail::call(fairmesh_solver_bulge_range, handle_, &made);
+        const auto made = detail::record<fairmesh_bulge_range>(fairmesh_solver_bulge_range, handle_);
         relay_->rethrow();
         return {made.low, made.high};
     }
@@ -452,29 +460,19 @@ public:
         detail::call(fairmesh_solver_mean_curvature, handle_, &out);
     }
     fairmesh_report report() const {
-        auto made = detail::sized<fairmesh_report>();
-        detail::call(fairmesh_solver_report, handle_, &made);
-        return made;
+        return detail::record<fairmesh_report>(fairmesh_solver_report, handle_);
     }
     fairmesh_component component(std::uint64_t number) const {
-        auto made = detail::sized<fairmesh_component>();
-        detail::call(fairmesh_solver_component, handle_, number, &made);
-        return made;
+        return detail::record<fairmesh_component>(fairmesh_solver_component, handle_, number);
     }
     fairmesh_attempt attempt(std::uint64_t component, std::uint64_t number) const {
-        auto made = detail::sized<fairmesh_attempt>();
-        detail::call(fairmesh_solver_attempt, handle_, component, number, &made);
-        return made;
+        return detail::record<fairmesh_attempt>(fairmesh_solver_attempt, handle_, component, number);
     }
     fairmesh_continuity continuity(std::uint64_t component, std::uint64_t number) const {
-        auto made = detail::sized<fairmesh_continuity>();
-        detail::call(fairmesh_solver_continuity, handle_, component, number, &made);
-        return made;
+        return detail::record<fairmesh_continuity>(fairmesh_solver_continuity, handle_, component, number);
     }
     result snapshot() const {
-        fairmesh_result *handle = nullptr;
-        detail::call(fairmesh_solver_result, handle_, &handle);
-        return result(handle);
+        return detail::made(fairmesh_solver_result, handle_);
     }
 
 private:
@@ -485,16 +483,12 @@ private:
 
 /** The boundary loops of a mesh; see fairmesh_boundary_loops. */
 inline result boundary_loops(const fairmesh_mesh &mesh) {
-    fairmesh_result *handle = nullptr;
-    detail::call(fairmesh_boundary_loops, &mesh, &handle);
-    return result(handle);
+    return detail::made(fairmesh_boundary_loops, &mesh);
 }
 
 /** The same, and how rough their rims are: `loop` of the result tells; see fairmesh_rim_roughness. */
 inline result rim_roughness(const fairmesh_mesh &mesh) {
-    fairmesh_result *handle = nullptr;
-    detail::call(fairmesh_rim_roughness, &mesh, &handle);
-    return result(handle);
+    return detail::made(fairmesh_rim_roughness, &mesh);
 }
 
 /** Loops that get one patch together, by their numbers. */
@@ -503,8 +497,7 @@ using loop_groups = std::vector<std::vector<std::uint32_t>>;
 /** fairmesh_fill_options with their defaults, and lists that stay where they are. */
 struct fill_options : fairmesh_fill_options {
     fill_options() : fairmesh_fill_options() {
-        fairmesh_error why = detail::no_error();
-        detail::check(fairmesh_fill_options_init(this, sizeof(fairmesh_fill_options)), why);
+        detail::init(fairmesh_fill_options_init, this);
     }
 
     /** In place of `loops` of the C struct: these loops and no others, also where there are none of them. */
@@ -611,22 +604,14 @@ private:
 /** Fills holes; see fairmesh_fill_holes. */
 inline result fill_holes(const fairmesh_mesh &mesh, const fill_options &fill = fill_options(),
                          const options &asked = options()) {
-    detail::relay relay;
-    auto plain = detail::with(asked, relay);
     const auto how = fill.plain();
-    fairmesh_result *handle = nullptr;
-    detail::call(fairmesh_fill_holes, &mesh, &how, &plain, &handle);
-    result made(handle);
-    relay.rethrow();
-    return made;
+    return detail::relayed(asked, [&](const fairmesh_options *plain) { return detail::made(fairmesh_fill_holes, &mesh, &how, plain); });
 }
 
 /** Which loops `join_auto` would give one patch; see fairmesh_suggest_joins. */
 inline loop_groups suggest_joins(const fairmesh_mesh &mesh, const fill_options &fill = fill_options()) {
     const auto how = fill.plain();
-    fairmesh_result *handle = nullptr;
-    detail::call(fairmesh_suggest_joins, &mesh, &how, &handle);
-    const result found(handle);
+    const auto found = detail::made(fairmesh_suggest_joins, &mesh, &how);
     loop_groups groups(static_cast<std::size_t>(found.info().loop_count));
     for (std::size_t k = 0; k < groups.size(); ++k) groups[k] = found.list(FAIRMESH_LIST_JOINED_LOOPS, k);
     return groups;
@@ -635,8 +620,7 @@ inline loop_groups suggest_joins(const fairmesh_mesh &mesh, const fill_options &
 /** fairmesh_bridge_options with their defaults. */
 struct bridge_options : fairmesh_bridge_options {
     bridge_options() : fairmesh_bridge_options() {
-        fairmesh_error why = detail::no_error();
-        detail::check(fairmesh_bridge_options_init(this, sizeof(fairmesh_bridge_options)), why);
+        detail::init(fairmesh_bridge_options_init, this);
     }
 };
 
@@ -644,16 +628,12 @@ struct bridge_options : fairmesh_bridge_options {
 inline result bridge(const fairmesh_mesh &mesh, const std::vector<std::uint32_t> &from, const std::vector<std::uint32_t> &to,
                      const bridge_options &how = bridge_options(), const fill_options &fill = fill_options(),
                      const options &asked = options()) {
-    detail::relay relay;
-    auto plain = detail::with(asked, relay);
     const auto filling = fill.plain();
     const auto first = indices(from.data(), from.size()), second = indices(to.data(), to.size());
-    fairmesh_result *handle = nullptr;
-    detail::call(fairmesh_bridge, &mesh, &first, &second, static_cast<const fairmesh_bridge_options *>(&how), &filling, &plain,
-                 &handle);
-    result made(handle);
-    relay.rethrow();
-    return made;
+    const fairmesh_bridge_options *strip = &how;
+    return detail::relayed(asked, [&](const fairmesh_options *plain) {
+        return detail::made(fairmesh_bridge, &mesh, &first, &second, strip, &filling, plain);
+    });
 }
 
 /** What is left of a mesh without some of its triangles. */
@@ -671,9 +651,7 @@ struct erased_triangles {
 /** Deletes triangles, and up to `clean` more beside them that would spoil the boundary of a patch; see fairmesh_erase. */
 inline erased_triangles erase(const fairmesh_mesh &mesh, const std::vector<std::uint32_t> &triangles, std::uint64_t clean = 0) {
     const auto list = indices(triangles.data(), triangles.size());
-    fairmesh_result *handle = nullptr;
-    detail::call(fairmesh_erase, &mesh, &list, clean, &handle);
-    const result left(handle);
+    const auto left = detail::made(fairmesh_erase, &mesh, &list, clean);
     const auto info = left.info();
     return {left.list(FAIRMESH_LIST_KEPT_TRIANGLES), left.list(FAIRMESH_LIST_ERASED_LOOPS), info.dropped_count, info.cleaned_count};
 }
@@ -698,9 +676,7 @@ struct trimmed_triangles {
 namespace detail {
 
 inline trimmed_triangles trim_boundary(const fairmesh_mesh &mesh, const fairmesh_indices *loops, const trim_limits &limits) {
-    fairmesh_result *handle = nullptr;
-    call(fairmesh_trim_boundary, &mesh, loops, limits.triangles, limits.area, &handle);
-    const result left(handle);
+    const auto left = detail::made(fairmesh_trim_boundary, &mesh, loops, limits.triangles, limits.area);
     const auto info = left.info();
     return {left.list(FAIRMESH_LIST_KEPT_TRIANGLES), info.dropped_count, info.dropped_area};
 }
@@ -721,9 +697,7 @@ inline trimmed_triangles trim_boundary(const fairmesh_mesh &mesh, const std::vec
 
 /** Per triangle the number of its component; see fairmesh_components. */
 inline std::vector<std::uint32_t> components(const fairmesh_mesh &mesh) {
-    fairmesh_result *handle = nullptr;
-    detail::call(fairmesh_components, &mesh, &handle);
-    return result(handle).list(FAIRMESH_LIST_TRIANGLE_COMPONENTS);
+    return detail::made(fairmesh_components, &mesh).list(FAIRMESH_LIST_TRIANGLE_COMPONENTS);
 }
 
 /** Triangles chosen by place, distance and shape. */
@@ -738,14 +712,12 @@ struct selected_region {
 
 /** Chooses triangles step by step; see fairmesh_select_region. A `fairmesh_region_step{}` is the whole mesh. */
 inline selected_region select_region(const fairmesh_mesh &mesh, const std::vector<fairmesh_region_step> &steps) {
-    fairmesh_result *handle = nullptr;
-    detail::call(fairmesh_select_region, &mesh, steps.data(), steps.size(), &handle);
-    const result chosen(handle);
+    const auto chosen = detail::made(fairmesh_select_region, &mesh, steps.data(), steps.size());
     selected_region made{chosen.list(FAIRMESH_LIST_REGION_TRIANGLES), chosen.list(FAIRMESH_LIST_REGION_COUNTS), {}};
     for (const auto &step : steps) {
         if (step.kind != FAIRMESH_REGION_KIND_BUMP) continue;
-        made.bumps.push_back(detail::sized<fairmesh_bump>());
-        detail::call(fairmesh_result_bump, handle, static_cast<std::uint64_t>(made.bumps.size() - 1), &made.bumps.back());
+        const std::uint64_t number = made.bumps.size();
+        made.bumps.push_back(detail::record<fairmesh_bump>(fairmesh_result_bump, chosen.get(), number));
     }
     return made;
 }
@@ -753,33 +725,23 @@ inline selected_region select_region(const fairmesh_mesh &mesh, const std::vecto
 /** fairmesh_remesh_options with their defaults. */
 struct remesh_options : fairmesh_remesh_options {
     remesh_options() : fairmesh_remesh_options() {
-        fairmesh_error why = detail::no_error();
-        detail::check(fairmesh_remesh_options_init(this, sizeof(fairmesh_remesh_options)), why);
+        detail::init(fairmesh_remesh_options_init, this);
     }
 };
 
 /** Triangulates a region anew; see fairmesh_remesh. */
 inline result remesh(const fairmesh_mesh &mesh, const fairmesh_selection &selection,
                      const remesh_options &asked = remesh_options()) {
-    fairmesh_result *handle = nullptr;
-    detail::call(fairmesh_remesh, &mesh, &selection, static_cast<const fairmesh_remesh_options *>(&asked), &handle);
-    return result(handle);
+    return detail::made(fairmesh_remesh, &mesh, &selection, static_cast<const fairmesh_remesh_options *>(&asked));
 }
 
 /** Deletes a region and fills it; see fairmesh_refill. */
 inline result refill(const fairmesh_mesh &mesh, const fairmesh_selection &selection, const fill_options &fill = fill_options(),
                      const options &asked = options()) {
-    detail::relay relay;
-    auto plain = detail::with(asked, relay);
     const auto how = fill.plain();
-    fairmesh_error why = detail::no_error();
-    fairmesh_result *handle = nullptr;
-    const auto status = fairmesh_refill(&mesh, &selection, &how, &plain, &handle, &why);
-    // Where the callback has thrown, the library says that there is no patch.
-    result made(handle);
-    relay.rethrow();
-    detail::check(status, why);
-    return made;
+    return detail::relayed(asked, [&](const fairmesh_options *plain) {
+        return detail::made(fairmesh_refill, &mesh, &selection, &how, plain);
+    });
 }
 
 /** Per point its place on a mesh. */
@@ -794,9 +756,7 @@ struct carried_points {
 /** The places of the points on these triangles of a mesh; see fairmesh_carry_over. */
 inline carried_points carry_over(const fairmesh_mesh &mesh, const std::vector<std::uint32_t> &among, const fairmesh_points &points) {
     const auto list = indices(among.data(), among.size());
-    fairmesh_result *handle = nullptr;
-    detail::call(fairmesh_carry_over, &mesh, &list, &points, &handle);
-    const result found(handle);
+    const auto found = detail::made(fairmesh_carry_over, &mesh, &list, &points);
     return {found.list(FAIRMESH_LIST_CARRIED_TRIANGLES), found.list(FAIRMESH_LIST_PARENTS),
             found.vectors(FAIRMESH_VECTORS_PARENT_WEIGHTS)};
 }
