@@ -10,6 +10,8 @@ import pytest
 
 import fairmesh
 from fairmesh import _abi, _schema
+from fairmesh._keywords import DEFAULTS
+from fairmesh._options import initial
 
 INCLUDE = Path(__file__).resolve().parents[3] / "include"
 HEADER = re.sub(r"/\*.*?\*/", "", (INCLUDE / "fairmesh.h").read_text(), flags=re.S)
@@ -96,13 +98,25 @@ def test_element_kinds_are_those_of_the_library():
     assert [member.name for member in fairmesh.ElementKind] == [member.name for member in _abi.fairmesh_element]
 
 
-def test_default_options():
+@pytest.mark.parametrize("struct", _schema.KINDS)
+def test_default_options(struct):
     """What the package states is what the library has."""
-    assert fairmesh.default_options() == _schema.FAIRING_DEFAULTS
-    filling = fairmesh.default_fill_options()
-    stated = {name: value for name, value in _schema.FILLING_DEFAULTS.items() if name not in _schema.FAIRING_DEFAULTS}
-    assert {name: filling[name] for name in stated} == stated
-    assert fairmesh.default_remesh_options() == _schema.REMESH_DEFAULTS
+    found = initial(getattr(_abi, struct))
+    for name, kind in _schema.KINDS[struct].items():
+        how, _, of = kind.partition(" ")
+        value = getattr(found, name)
+        if how == "choice":
+            value = getattr(_abi, of)(value).name.lower()
+        elif hasattr(value, "kind"):
+            value = getattr(_abi, f"fairmesh_{name}_kind")(value.kind).name.lower()
+        elif name == "loop_continuity":
+            value = dict.fromkeys(range(value.vertices.count))
+        elif how in ("indices", "pairs"):
+            value = value.data
+        # None: that of the vertices, or what the library takes 0 for.
+        assert DEFAULTS[name] == value or (DEFAULTS[name] is None and value in ("double", 0.0)), name
+    if hasattr(found, "join"):
+        assert (DEFAULTS["join"], found.join.kind) == ("none", _abi.fairmesh_join_kind.NONE)
 
 
 def test_defaults_are_those_of_no_option():

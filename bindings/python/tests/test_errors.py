@@ -119,11 +119,6 @@ def test_a_curvature_that_is_not_finite(value):
         refused(Status.BAD_OPTION, message, ElementKind.VERTEX, 40, boundary_curvature=rows)
 
 
-def test_no_loop_is_named():
-    with pytest.raises(ValueError, match="loops: no loop is named; None fills all holes"):
-        fairmesh.fill_holes(VERTICES, FACES, loops=[])
-
-
 WRONG_TYPES = {
     "faces: integers are needed, not float64": {"faces": FACES.astype(float)},
     "faces: integers are needed, not bool": {"faces": FACES.astype(bool)},

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import ctypes
 from collections import abc
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -13,15 +14,14 @@ from . import _abi, _arrays
 from ._calls import of_names
 from ._enums import Status
 from ._errors import error_of
+from ._keywords import DEFAULTS
 from ._library import load
 from ._schema import KINDS, FairingOptions
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Iterable, Mapping
 
     from ._forms import Curvature, HowFar, LoopContinuity, Normals, Target
-
-UINT64_MAX = 2**64 - 1
 
 Struct = TypeVar("Struct", bound=ctypes.Structure)
 
@@ -218,52 +218,20 @@ def _none_as_zero(vectors: NDArray[Any]) -> NDArray[Any]:
     return copy
 
 
-def _plain_defaults(struct: ctypes.Structure) -> dict[str, Any]:
-    """The library's values of the options that have no form of Python's."""
-    found: dict[str, Any] = {}
-    for name, kind in KINDS[type(struct).__name__].items():
-        value = getattr(struct, name)
-        how, _, of = kind.partition(" ")
-        if how == "choice":
-            found[name] = getattr(_abi, of)(value).name.lower()
-        elif how == "flag":
-            found[name] = bool(value)
-        elif how in ("real", "count"):
-            found[name] = value
-        elif how != "form":
-            found[name] = None
-    return found
-
-
 def default_options() -> FairingOptions:
-    """All fairing options with their defaults, read from the library: ``fair(v, f, **default_options())`` is
-    ``fair(v, f)``.
-    """
-    struct = initial(_abi.fairmesh_options)
-    options: dict[str, Any] = {
-        "boundary_normals": _abi.fairmesh_boundary_normals_kind(struct.boundary_normals.kind).name.lower(),
-        "continuity": struct.continuity,
-        "loop_continuity": {},
-        "boundary_curvature": _abi.fairmesh_boundary_curvature_kind(struct.boundary_curvature.kind).name.lower(),
-        "target": _abi.fairmesh_target_kind(struct.target.kind).name.lower(),
-        **_plain_defaults(struct),
-        # That of the vertices.
-        "output_precision": None,
-    }
-    return {name: options[name] for name in FairingOptions.__annotations__}  # type: ignore[return-value]
+    """All fairing options with their defaults: ``fair(v, f, **default_options())`` is ``fair(v, f)``."""
+    return _defaults(FairingOptions.__annotations__)  # type: ignore[return-value]
 
 
 def default_fill_options() -> dict[str, Any]:
-    """The defaults of `fill_holes` besides those of the fairing, read from the library."""
-    struct = initial(_abi.fairmesh_fill_options)
-    return {
-        **_plain_defaults(struct),
-        "join": _abi.fairmesh_join_kind(struct.join.kind).name.lower(),
-        "max_edges": None if struct.max_edges == UINT64_MAX else struct.max_edges,
-        "except_longest": struct.filter.except_longest,
-    }
+    """The defaults of `fill_holes` besides those of the fairing."""
+    return _defaults([*KINDS["fairmesh_fill_options"], "join", "max_edges", "except_longest"])
 
 
 def default_remesh_options() -> dict[str, Any]:
-    """The defaults of `remesh`, read from the library."""
-    return _plain_defaults(initial(_abi.fairmesh_remesh_options))
+    """The defaults of `remesh`."""
+    return _defaults(KINDS["fairmesh_remesh_options"])
+
+
+def _defaults(names: Iterable[str]) -> dict[str, Any]:
+    return copy.deepcopy({name: DEFAULTS.get(name) for name in names})
