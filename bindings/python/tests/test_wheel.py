@@ -50,18 +50,8 @@ def test_its_name_and_contents():
     assert "Root-Is-Purelib: false\n" in tags
 
 
-def test_it_needs_no_newer_glibc(library):
-    versions = set(re.findall(r"GLIBC_([0-9.]+)", output("objdump", "-T", library)))
-    assert "2.2.5" in versions
-    assert max(tuple(map(int, version.split("."))) for version in versions) <= (2, 28)
-    needed = re.findall(r"\(NEEDED\).*\[(.*)\]", output("readelf", "-dW", library))
-    allowed = ["ld-linux-x86-64.so.2", "libc.so.6", "libdl.so.2", "libgcc_s.so.1", "libm.so.6", "libpthread.so.0"]
-    assert needed and set(needed) <= set(allowed)
-
-
-def test_it_is_stripped_and_shows_the_interface_only(library):
-    sections = output("readelf", "-SW", library)
-    assert ".symtab" not in sections and ".debug" not in sections
+def test_it_shows_the_interface_only(library):
+    """That it fits its platform and is stripped is checked when it is built."""
     shown = [line.split()[-1] for line in output("nm", "-D", "--defined-only", library).splitlines()]
     assert sorted(shown) == sorted(fairmesh._abi.FUNCTIONS)
     assert library.stat().st_size < 8e6

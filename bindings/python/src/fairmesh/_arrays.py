@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi
-from ._errors import ElementKind, InputError, Status
+from ._enums import Status
+from ._errors import ElementKind, InputError
 from ._hosts import Host, Pair
 
 Floats = NDArray[Any]
@@ -65,27 +66,30 @@ def _address(array: NDArray[Any]) -> int | None:
 
 def points(given: ArrayLike, name: str, *, rows: int | None = None) -> Floats:
     """Points or vectors, (n, 3), float32 or float64; other real numbers become float64."""
-    array = np.asarray(given)
-    native = array.dtype.newbyteorder("=")
-    if native not in _SCALARS:
-        if native.kind not in "iuf":
-            raise TypeError(f"{name}: real numbers are needed, not {array.dtype}")
-        native = np.dtype(np.float64)
-    array = array.astype(native, copy=False)
+    array = _floats(given, name)
+    if array.shape == (0,):
+        return np.empty((0, 3), array.dtype)
     if array.ndim != 2 or array.shape[1] != 3:
-        if array.shape == (0,):
-            return np.empty((0, 3), native)
         raise ValueError(f"{name}: the shape has to be (n, 3), not {array.shape}")
     if rows is not None and len(array) != rows:
         raise ValueError(f"{name}: {len(array)} rows, but {rows} are needed")
     return array if _readable(array) else _packed(array)
 
 
+def _floats(given: ArrayLike, name: str) -> Floats:
+    """float32 or float64 in native byte order; other real numbers become float64."""
+    array = np.asarray(given)
+    native = array.dtype.newbyteorder("=")
+    if native not in _SCALARS:
+        if native.kind not in "iuf":
+            raise TypeError(f"{name}: real numbers are needed, not {array.dtype}")
+        native = np.dtype(np.float64)
+    return array.astype(native, copy=False)
+
+
 def point(given: ArrayLike, name: str) -> NDArray[np.float64]:
     """Three real numbers."""
-    array = np.asarray(given)
-    if array.dtype.kind not in "iuf":
-        raise TypeError(f"{name}: real numbers are needed, not {array.dtype}")
+    array = _floats(given, name)
     if array.shape != (3,):
         raise ValueError(f"{name}: the shape has to be (3,), not {array.shape}")
     return array.astype(np.float64)
@@ -93,17 +97,11 @@ def point(given: ArrayLike, name: str) -> NDArray[np.float64]:
 
 def numbers(given: ArrayLike, name: str, *, rows: int) -> Floats:
     """Real numbers, (rows,), float32 or float64; others become float64."""
-    array = np.asarray(given)
-    if array.shape == (0,):
-        array = np.empty(0)
-    if array.dtype.kind not in "iuf":
-        raise TypeError(f"{name}: real numbers are needed, not {array.dtype}")
+    array = _floats(given, name)
     if array.ndim != 1:
         raise ValueError(f"{name}: the shape has to be (k,), not {array.shape}")
     if len(array) != rows:
         raise ValueError(f"{name}: {len(array)} numbers, but {rows} are needed")
-    native = array.dtype.newbyteorder("=")
-    array = array.astype(native if native in _SCALARS else np.dtype(np.float64), copy=False)
     return array if _readable(array) else _packed(array)
 
 

@@ -11,15 +11,6 @@ from . import _abi
 from ._enums import Status
 from ._library import Library
 
-__all__ = [
-    "ElementKind",
-    "FairmeshError",
-    "InputError",
-    "OutOfMemoryError",
-    "Status",
-    "call",
-]
-
 
 class ElementKind(str, enum.Enum):
     """What ``FairmeshError.element`` counts."""

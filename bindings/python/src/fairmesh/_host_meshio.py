@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._carry import NORMALS, Change, renewed
+from ._carry import NORMALS, Change
 from ._hosts import Host
 
 #: Cells that may be beside the triangles: they have no area.
@@ -51,7 +51,7 @@ class Mesh(Host):
         """A copy with other positions."""
         made = copy.deepcopy(self._mesh)
         made.points = vertices
-        self._renew(made, vertices, np.asarray(self.faces))
+        self._renew(made, vertices, self.faces)
         return made
 
     def rebuilt(self, change: Change) -> Any:
@@ -94,10 +94,9 @@ class Mesh(Host):
         return {number: np.flatnonzero(block == k) for k, number in enumerate(self._blocks)}
 
     def _renew(self, made: Any, vertices: NDArray[Any], faces: NDArray[Any]) -> None:
-        before = (np.asarray(self.vertices), np.asarray(self.faces))
         for name, values in made.point_data.items():
             if name.lower() in NORMALS and np.shape(values) == (len(vertices), 3):
-                made.point_data[name] = renewed(np.asarray(values), before, (vertices, faces))
+                made.point_data[name] = self.renewed(values, vertices, faces)
         for name in [name for name in made.cell_data if name.lower() in NORMALS]:
             del made.cell_data[name]
 

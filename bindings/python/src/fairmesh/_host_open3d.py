@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._carry import Change, renewed, vertex_normals
+from ._carry import Change, vertex_normals
 from ._hosts import Host, package
 
 
@@ -55,10 +55,8 @@ class TriangleMesh(Host):
         return package("open3d").utility
 
     def _renew(self, made: Any) -> None:
-        after = (np.asarray(made.vertices), np.asarray(made.triangles))
         if made.has_vertex_normals():
-            before = (np.asarray(self.vertices), np.asarray(self.faces))
-            normals = renewed(np.asarray(made.vertex_normals), before, after)
+            normals = self.renewed(made.vertex_normals, np.asarray(made.vertices), np.asarray(made.triangles))
             made.vertex_normals = self._utility.Vector3dVector(normals)
         if self._mesh.has_triangle_normals():
             made.compute_triangle_normals()
@@ -87,7 +85,7 @@ class TensorMesh(Host):
         """A copy with other positions."""
         made = self._mesh.clone()
         made.vertex.positions = self._tensor(vertices)
-        self._renew(made, vertices, np.asarray(self.faces))
+        self._renew(made, vertices, self.faces)
         return made
 
     def rebuilt(self, change: Change) -> Any:
@@ -114,9 +112,8 @@ class TensorMesh(Host):
 
     def _renew(self, made: Any, vertices: NDArray[Any], faces: NDArray[Any]) -> None:
         if "normals" in made.vertex:
-            before = (np.asarray(self.vertices), np.asarray(self.faces))
             normals = made.vertex["normals"].cpu().numpy()
-            made.vertex["normals"] = self._tensor(renewed(normals, before, (vertices, faces)).astype(normals.dtype))
+            made.vertex["normals"] = self._tensor(self.renewed(normals, vertices, faces).astype(normals.dtype))
         if "normals" in made.triangle:
             # Of each face alone: as if it had its corners for itself.
             dtype = made.triangle["normals"].cpu().numpy().dtype

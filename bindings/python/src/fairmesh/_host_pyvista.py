@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._carry import NORMALS, Change, renewed
+from ._carry import NORMALS, Change
 from ._hosts import Host, package
 
 
@@ -41,8 +41,7 @@ class PolyData(Host):
         """A copy with other positions."""
         made = self._mesh.copy(deep=True)
         made.points = vertices
-        before = (np.asarray(self.vertices), np.asarray(self.faces))
-        self._renew(made, before, (vertices, before[1]))
+        self._renew(made, vertices, self.faces)
         for name in list(made.cell_data):
             if name.lower() in NORMALS:
                 del made.cell_data[name]
@@ -68,15 +67,14 @@ class PolyData(Host):
             for active in ("active_scalars_name", "active_vectors_name", "active_texture_coordinates_name"):
                 if getattr(of, active, None) in to:
                     setattr(to, active, getattr(of, active))
-        before = (np.asarray(self.vertices), np.asarray(self.faces))
-        self._renew(made, before, (change.vertices, change.faces))
+        self._renew(made, change.vertices, change.faces)
         return made
 
-    def _renew(self, made: Any, before: tuple[Any, Any], after: tuple[Any, Any]) -> None:
+    def _renew(self, made: Any, vertices: NDArray[Any], faces: NDArray[Any]) -> None:
         active = self._mesh.point_data.active_normals_name
         for name in list(made.point_data):
             values = np.asarray(made.point_data[name])
             if (name == active or name.lower() in NORMALS) and values.ndim == 2 and values.shape[1] == 3:
-                made.point_data[name] = renewed(values, before, after)
+                made.point_data[name] = self.renewed(values, vertices, faces)
         if active in made.point_data:
             made.point_data.active_normals_name = active

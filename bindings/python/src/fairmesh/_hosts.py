@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._carry import renewed
+
 if TYPE_CHECKING:
     from ._carry import Change
 
@@ -82,6 +84,10 @@ class Host(abc.ABC):
     def face_data(self, name: str) -> Any:
         """What the mesh has under this name at its faces; None if there is no such thing."""
         del name
+
+    def renewed(self, normals: Any, vertices: NDArray[Any], faces: NDArray[Any]) -> NDArray[Any]:
+        """Normals of a mesh that was made of this one, made anew where the surface is another one."""
+        return renewed(np.asarray(normals), (np.asarray(self.vertices), np.asarray(self.faces)), (vertices, faces))
 
     @abc.abstractmethod
     def moved(self, vertices: NDArray[Any]) -> Any:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 import itertools
 import threading
 import weakref
@@ -13,7 +12,8 @@ from typing import Any, Protocol, Union
 import numpy as np
 
 from . import _abi
-from ._errors import FairmeshError, Status
+from ._enums import Status
+from ._errors import FairmeshError
 from ._interrupts import Deferred, InCallback
 from ._interrupts import pending as interrupted
 
@@ -39,15 +39,6 @@ class Event(Protocol):
         """True: the run is to stop."""
 
 
-class _MonitorState(ctypes.Structure):
-    _fields_ = (
-        ("fraction", ctypes.c_double),
-        ("iteration", ctypes.c_uint64),
-        ("step_norm", ctypes.c_double),
-        ("cancelled", ctypes.c_int32),
-    )
-
-
 class Monitor:
     """Watches and cancels a run from another thread, without a callback of one's own: give it as ``cancel``.
 
@@ -55,37 +46,37 @@ class Monitor:
     """
 
     def __init__(self) -> None:
-        self._state = _MonitorState(0.0, 0, float("nan"), 0)
-        self._phase = b""
+        self._last = Progress("", 0, float("nan"), 0.0)
+        self._cancelled = False
 
     @property
     def fraction(self) -> float:
         """Between 0 and 1; never falling within a run."""
-        return float(self._state.fraction)
+        return self._last.fraction
 
     @property
     def iteration(self) -> int:
         """Nonlinear iterations so far."""
-        return int(self._state.iteration)
+        return self._last.iteration
 
     @property
     def step_norm(self) -> float:
         """The last step norm, in diagonals of the region's bounding box; NaN before the first iteration."""
-        return float(self._state.step_norm)
+        return self._last.step_norm
 
     @property
     def phase(self) -> str:
         """What is being done, in a word or two; English. Empty before the run."""
-        return self._phase.decode("utf-8", "replace")
+        return self._last.phase
 
     @property
     def is_cancelled(self) -> bool:
         """Has `cancel` been called?"""
-        return bool(self._state.cancelled)
+        return self._cancelled
 
     def cancel(self) -> None:
         """Asks the run to stop. It ends before its next iteration, with the outcome CANCELLED."""
-        self._state.cancelled = 1
+        self._cancelled = True
 
     def is_set(self) -> bool:
         """The same as `is_cancelled`, so that a monitor can stand where an event can."""
@@ -95,13 +86,9 @@ class Monitor:
         """As new: nothing cancelled, nothing done."""
         self.__init__()  # type: ignore[misc]
 
-    def _tell(self, progress: _abi.fairmesh_progress) -> bool:
-        state = self._state
-        state.fraction = progress.fraction
-        state.iteration = progress.iterations
-        state.step_norm = progress.step
-        self._phase = progress.phase or b""
-        return bool(state.cancelled)
+    def _tell(self, told: Progress) -> bool:
+        self._last = told
+        return self._cancelled
 
 
 ProgressCallback = Callable[[Progress], Union[bool, None]]
@@ -165,14 +152,14 @@ class Relay:
 
     def _ask(self, progress: _abi.fairmesh_progress) -> bool:
         stop = False
+        phase = (progress.phase or b"").decode("utf-8", "replace")
+        told = Progress(phase, progress.iterations, progress.step, progress.fraction)
         if isinstance(self._cancel, Monitor):
-            stop = self._cancel._tell(progress)
+            stop = self._cancel._tell(told)
         elif self._cancel is not None:
             with InCallback():
                 stop = bool(self._cancel.is_set())
         if self._progress is not None:
-            phase = (progress.phase or b"").decode("utf-8", "replace")
-            told = Progress(phase, progress.iterations, progress.step, progress.fraction)
             with InCallback():
                 answer = self._progress(told)
             # Only False itself: what a progress bar's method happens to return is no wish to stop.

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _abi, _arrays
-from ._errors import FairmeshError, Status
+from ._enums import Status
+from ._errors import FairmeshError
 from ._handles import result_of
 from ._reports import sized
 
