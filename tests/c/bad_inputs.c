@@ -295,8 +295,7 @@ static Expected count_mismatch_normals(Call *c, int f, int k) {
     c->options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
     c->options.boundary_normals.vectors = points_of(c->normals, (size_t)(SIDE * SIDE - 1 - k));
     if (k > 2) {
-        c->options.boundary_normals.vertices.data = c->list;
-        c->options.boundary_normals.vertices.count = 2;
+        c->options.boundary_normals.vertices = indices_of(c->list, 2);
         c->options.boundary_normals.vectors.count = (size_t)k;
     }
     return argument(FAIRMESH_STATUS_COUNT_MISMATCH, options_argument(f),
@@ -307,8 +306,7 @@ static Expected count_mismatch_curvature(Call *c, int f, int k) {
     c->options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
     c->options.boundary_curvature.values = numbers_of(c->normals, (size_t)(SIDE * SIDE - 1 - k));
     if (k > 2) {
-        c->options.boundary_curvature.vertices.data = c->list;
-        c->options.boundary_curvature.vertices.count = 2;
+        c->options.boundary_curvature.vertices = indices_of(c->list, 2);
         c->options.boundary_curvature.values.count = (size_t)k;
     }
     return argument(FAIRMESH_STATUS_COUNT_MISMATCH, options_argument(f),
@@ -339,8 +337,7 @@ static Expected loop_out_of_range(Call *c, int f, int k) {
     (void)f;
     c->list[0] = 0;
     c->list[1] = (uint32_t)(1 + 1000 * k);
-    c->fill.loops.data = c->list;
-    c->fill.loops.count = 2;
+    c->fill.loops = indices_of(c->list, 2);
     return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_LOOP, c->list[1], NONE);
 }
 static Expected normal_out_of_range(Call *c, int f, int k) {
@@ -349,8 +346,7 @@ static Expected normal_out_of_range(Call *c, int f, int k) {
     c->normals[2] = 1.0;
     c->options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
     c->options.boundary_normals.vectors = points_of(c->normals, 1);
-    c->options.boundary_normals.vertices.data = c->list;
-    c->options.boundary_normals.vertices.count = 1;
+    c->options.boundary_normals.vertices = indices_of(c->list, 1);
     return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_VERTEX, c->list[0], NONE);
 }
 
@@ -359,8 +355,7 @@ static Expected curvature_out_of_range(Call *c, int f, int k) {
     c->list[0] = (uint32_t)(SIDE * SIDE + 100 * k);
     c->options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
     c->options.boundary_curvature.values = numbers_of(c->normals, 1);
-    c->options.boundary_curvature.vertices.data = c->list;
-    c->options.boundary_curvature.vertices.count = 1;
+    c->options.boundary_curvature.vertices = indices_of(c->list, 1);
     return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_VERTEX, c->list[0], NONE);
 }
 
@@ -381,8 +376,7 @@ static Expected bad_normal(Call *c, int f, int k) {
     c->normals[2] = wrong[k];
     c->options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
     c->options.boundary_normals.vectors = points_of(c->normals, 1);
-    c->options.boundary_normals.vertices.data = c->list;
-    c->options.boundary_normals.vertices.count = 1;
+    c->options.boundary_normals.vertices = indices_of(c->list, 1);
     return expect(FAIRMESH_STATUS_BAD_NORMAL, FAIRMESH_ELEMENT_VERTEX, v, NONE);
 }
 
@@ -398,8 +392,7 @@ static Expected bad_curvature(Call *c, int f, int k) {
         c->list[0] = v;
         c->normals[0] = wrong[k - 2];
         c->options.boundary_curvature.values = numbers_of(c->normals, 1);
-        c->options.boundary_curvature.vertices.data = c->list;
-        c->options.boundary_curvature.vertices.count = 1;
+        c->options.boundary_curvature.vertices = indices_of(c->list, 1);
     }
     return expect(FAIRMESH_STATUS_BAD_OPTION, FAIRMESH_ELEMENT_VERTEX, v, NONE);
 }
@@ -666,11 +659,9 @@ static Expected groups(Call *c, int f, int k) {
     static const uint32_t starts[][2] = {{1, 1}, {0, 3}, {1, 0}};
     (void)f;
     c->fill.join.kind = FAIRMESH_JOIN_KIND_GROUPS;
-    c->fill.join.loops.data = c->list;
-    c->fill.join.loops.count = 2;
+    c->fill.join.loops = indices_of(c->list, 2);
     if (k < 3) {
-        c->fill.join.starts.data = starts[k];
-        c->fill.join.starts.count = 2;
+        c->fill.join.starts = indices_of(starts[k], 2);
         return argument(FAIRMESH_STATUS_BAD_OPTION, fill_argument(f), OFFSET2(fairmesh_fill_options, join, fairmesh_join, starts));
     }
     if (k == 3) return argument(FAIRMESH_STATUS_BAD_OPTION, fill_argument(f), OFFSET2(fairmesh_fill_options, join, fairmesh_join, loops));
@@ -737,8 +728,7 @@ static Expected region_steps(Call *c, int f, int k) {
         return argument(FAIRMESH_STATUS_ALIASING, 4, NONE);
     default:
         step->kind = FAIRMESH_REGION_KIND_TRIANGLES;
-        step->list.data = (const uint32_t *)(const void *)&c->result;
-        step->list.count = 2;
+        step->list = indices_of((const uint32_t *)(const void *)&c->result, 2);
         return argument(FAIRMESH_STATUS_ALIASING, 4, NONE);
     }
 }
@@ -1014,27 +1004,19 @@ static void check_solver(fairmesh_solver *s, int32_t wanted, const char *what) {
     fairmesh_points_out points = points_out_of(NULL, 0);
     fairmesh_scalars_out scalars = scalars_out_of(&number, 1);
     fairmesh_report report, report_before;
-    fairmesh_component component;
-    fairmesh_attempt attempt;
-    fairmesh_continuity continuity;
+    SIZED(fairmesh_component, component);
+    SIZED(fairmesh_attempt, attempt);
+    SIZED(fairmesh_continuity, continuity);
     fairmesh_error e;
-    fairmesh_boundary_normals normals;
-    fairmesh_boundary_curvature curvature;
-    fairmesh_target target;
-    fairmesh_frame frame;
-    fairmesh_bulge_range range;
+    ZERO(fairmesh_boundary_normals, normals);
+    ZERO(fairmesh_boundary_curvature, curvature);
+    ZERO(fairmesh_target, target);
+    SIZED(fairmesh_frame, frame);
+    SIZED(fairmesh_bulge_range, range);
     fairmesh_result *result = NULL;
-    frame.struct_size = sizeof frame;
-    range.struct_size = sizeof range;
-    memset(&curvature, 0, sizeof curvature);
-    memset(&normals, 0, sizeof normals);
-    memset(&target, 0, sizeof target);
     memset(&report, 0x5a, sizeof report);
     report.struct_size = sizeof report;
     report_before = report;
-    component.struct_size = sizeof component;
-    attempt.struct_size = sizeof attempt;
-    continuity.struct_size = sizeof continuity;
     expect_handle(fairmesh_solver_run(s, 1, &report, &e), &e, wanted, what);
     expect_handle(fairmesh_solver_set_boundary_normals(s, &normals, &e), &e, wanted, what);
     expect_handle(fairmesh_solver_set_target(s, &target, &e), &e, wanted, what);
@@ -1068,28 +1050,19 @@ static void check_result(fairmesh_result *r, int32_t wanted, const char *what) {
     fairmesh_scalars_out scalars = scalars_out_of(&number, 1);
     fairmesh_indices_out triangles = {NULL, 0, 0};
     fairmesh_report report, report_before;
-    fairmesh_info info;
-    fairmesh_level level;
-    fairmesh_component component;
-    fairmesh_attempt attempt;
-    fairmesh_continuity continuity;
-    fairmesh_loop boundary;
-    fairmesh_fill_report filled;
-    fairmesh_join_suggestion suggestion;
-    fairmesh_bridge_report bridged;
+    SIZED(fairmesh_info, info);
+    SIZED(fairmesh_level, level);
+    SIZED(fairmesh_component, component);
+    SIZED(fairmesh_attempt, attempt);
+    SIZED(fairmesh_continuity, continuity);
+    SIZED(fairmesh_loop, boundary);
+    SIZED(fairmesh_fill_report, filled);
+    SIZED(fairmesh_join_suggestion, suggestion);
+    SIZED(fairmesh_bridge_report, bridged);
     fairmesh_error e;
     memset(&report, 0x5a, sizeof report);
     report.struct_size = sizeof report;
     report_before = report;
-    info.struct_size = sizeof info;
-    level.struct_size = sizeof level;
-    component.struct_size = sizeof component;
-    attempt.struct_size = sizeof attempt;
-    continuity.struct_size = sizeof continuity;
-    boundary.struct_size = sizeof boundary;
-    filled.struct_size = sizeof filled;
-    suggestion.struct_size = sizeof suggestion;
-    bridged.struct_size = sizeof bridged;
     expect_handle(fairmesh_result_info(r, &info, &e), &e, wanted, what);
     expect_handle(fairmesh_result_report(r, 0, &report, &e), &e, wanted, what);
     expect_handle(fairmesh_result_level(r, 0, &level, &e), &e, wanted, what);
@@ -1144,12 +1117,10 @@ static void not_available(void) {
     Cap cap = cap_new(SIDE);
     fairmesh_result *result = NULL;
     fairmesh_error error;
-    fairmesh_loop boundary;
-    fairmesh_report report;
+    SIZED(fairmesh_loop, boundary);
+    SIZED(fairmesh_report, report);
     uint32_t which, index = 7;
     size_t size = 99;
-    boundary.struct_size = sizeof boundary;
-    report.struct_size = sizeof report;
     OK(fairmesh_boundary_loops(&cap.mesh, &result, &error));
     CHECK(fairmesh_result_loop(result, 1, &boundary, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     CHECK(fairmesh_result_loop(result, UINT64_MAX, &boundary, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);

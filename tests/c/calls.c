@@ -1,6 +1,64 @@
 /* Calls every function of the header with good arguments, and checks the answers. Compiled as C99, C11 and C++17. */
 #include "common.h"
 
+/* Of the last call. */
+static fairmesh_error error;
+
+static fairmesh_info info_of(const fairmesh_result *result) {
+    SIZED(fairmesh_info, info);
+    OK(fairmesh_result_info(result, &info, &error));
+    return info;
+}
+
+static fairmesh_report report_of(const fairmesh_result *result, uint64_t index) {
+    SIZED(fairmesh_report, report);
+    OK(fairmesh_result_report(result, index, &report, &error));
+    return report;
+}
+
+static fairmesh_fill_report fill_report_of(const fairmesh_result *result, uint64_t index) {
+    SIZED(fairmesh_fill_report, report);
+    OK(fairmesh_result_fill_report(result, index, &report, &error));
+    return report;
+}
+
+static size_t size_of_list(const fairmesh_result *result, uint32_t which, uint64_t index) {
+    size_t size = 0;
+    OK(fairmesh_result_list(result, which, index, NULL, 0, &size, &error));
+    return size;
+}
+
+/* To be freed; `size` may be NULL. */
+static uint32_t *list_of(const fairmesh_result *result, uint32_t which, uint64_t index, size_t *size) {
+    size_t count = size_of_list(result, which, index);
+    uint32_t *list = (uint32_t *)must(malloc(4 * count + 4));
+    OK(fairmesh_result_list(result, which, index, list, count, &count, &error));
+    if (size) *size = count;
+    return list;
+}
+
+static double *positions_of(const fairmesh_result *result) {
+    size_t count = (size_t)info_of(result).vertex_count;
+    double *positions = (double *)must(malloc(24 * count));
+    fairmesh_points_out to = points_out_of(positions, count);
+    OK(fairmesh_result_positions(result, &to, &error));
+    return positions;
+}
+
+static double *vectors_of(const fairmesh_result *result, uint32_t which, size_t count) {
+    double *vectors = (double *)must(malloc(24 * count));
+    fairmesh_points_out to = points_out_of(vectors, count);
+    OK(fairmesh_result_vectors(result, which, &to, &error));
+    return vectors;
+}
+
+static uint32_t *triangles_of(const fairmesh_result *result) {
+    fairmesh_indices_out into = {NULL, (size_t)info_of(result).triangle_count, 0};
+    uint32_t *corners = into.data = (uint32_t *)must(malloc(12 * into.count));
+    OK(fairmesh_result_triangles(result, &into, &error));
+    return corners;
+}
+
 static void versions(void) {
     uint32_t version = fairmesh_version();
     char text[32];
@@ -56,6 +114,12 @@ static fairmesh_options quick(void) {
     return options;
 }
 
+static fairmesh_fill_options filling(void) {
+    fairmesh_fill_options fill;
+    OK(fairmesh_fill_options_init(&fill, sizeof fill));
+    return fill;
+}
+
 /* A cap whose dent was made fair in one call, and what was used at its boundary. */
 typedef struct {
     Cap cap;
@@ -69,16 +133,14 @@ typedef struct {
 static Faired one_call(void) {
     Faired made;
     fairmesh_options options = quick();
-    fairmesh_error error;
     fairmesh_points_out to;
     size_t v;
-    Watch w;
+    ZERO(Watch, w);
     memset(&made, 0, sizeof made);
     made.cap = cap_new(15);
     made.bytes = 3 * made.cap.vertices * sizeof(double);
     made.out = (double *)must(malloc(made.bytes));
     to = points_out_of(made.out, made.cap.vertices);
-    memset(&w, 0, sizeof w);
     made.report.struct_size = sizeof made.report;
     options.progress = watch;
     options.user_data = &w;
@@ -99,11 +161,8 @@ static void curvatures_of_result(const Faired *made) {
     double *h = (double *)must(malloc(cap->vertices * sizeof(double)));
     double *k = (double *)must(malloc(cap->vertices * sizeof(double)));
     fairmesh_scalars_out numbers = scalars_out_of(h, cap->vertices);
-    fairmesh_info info;
-    fairmesh_error error;
     size_t v;
-    info.struct_size = sizeof info;
-    OK(fairmesh_result_info(made->result, &info, &error));
+    fairmesh_info info = info_of(made->result);
     CHECK(info.kind == FAIRMESH_RESULT_KIND_FAIRED && info.vertex_count == cap->vertices);
     OK(fairmesh_result_scalars(made->result, FAIRMESH_SCALARS_MEAN_CURVATURE, &numbers, &error));
     numbers.data = k;
@@ -121,22 +180,11 @@ static void curvatures_of_result(const Faired *made) {
 
 static void boundary_of_result(Faired *made) {
     const Cap *cap = &made->cap;
-    fairmesh_points_out vectors;
-    fairmesh_info info;
-    fairmesh_error error;
-    size_t v, size = 0;
-    info.struct_size = sizeof info;
-    OK(fairmesh_result_info(made->result, &info, &error));
-    CHECK(info.boundary_vertex_count > 0);
-    made->boundary_count = (size_t)info.boundary_vertex_count;
-    made->boundary = (uint32_t *)must(malloc(made->boundary_count * 4));
-    made->normals = (double *)must(malloc(made->boundary_count * 24));
-    OK(fairmesh_result_list(made->result, FAIRMESH_LIST_BOUNDARY_VERTICES, 0, NULL, 0, &size, &error));
-    CHECK(size == info.boundary_vertex_count);
-    OK(fairmesh_result_list(made->result, FAIRMESH_LIST_BOUNDARY_VERTICES, 0, made->boundary, size, &size, &error));
-    vectors = points_out_of(made->normals, size);
-    OK(fairmesh_result_vectors(made->result, FAIRMESH_VECTORS_BOUNDARY_NORMALS, &vectors, &error));
-    for (v = 0; v < size; v++) {
+    size_t v;
+    made->boundary = list_of(made->result, FAIRMESH_LIST_BOUNDARY_VERTICES, 0, &made->boundary_count);
+    CHECK(made->boundary_count > 0 && made->boundary_count == info_of(made->result).boundary_vertex_count);
+    made->normals = vectors_of(made->result, FAIRMESH_VECTORS_BOUNDARY_NORMALS, made->boundary_count);
+    for (v = 0; v < made->boundary_count; v++) {
         const double *p = cap->positions + 3 * made->boundary[v], *n = made->normals + 3 * v;
         CHECK(!cap->free_mask[made->boundary[v]]);
         CHECK(p[0] * n[0] + p[1] * n[1] + p[2] * n[2] > 0.999);
@@ -145,17 +193,10 @@ static void boundary_of_result(Faired *made) {
 
 /* The report and the positions are those of the call; then the result is freed. */
 static void rest_of_result(const Faired *made) {
-    fairmesh_report again;
-    fairmesh_error error;
-    size_t size = 0;
-    double *copy = (double *)must(malloc(made->bytes));
-    fairmesh_points_out into = points_out_of(copy, made->cap.vertices);
-    again.struct_size = sizeof again;
-    OK(fairmesh_result_report(made->result, 0, &again, &error));
+    double *copy = positions_of(made->result);
+    fairmesh_report again = report_of(made->result, 0);
     CHECK(memcmp(&again, &made->report, sizeof again) == 0);
-    OK(fairmesh_result_list(made->result, FAIRMESH_LIST_NEEDLES, 0, NULL, 0, &size, NULL));
-    CHECK(size == again.needle_count);
-    OK(fairmesh_result_positions(made->result, &into, &error));
+    CHECK(size_of_list(made->result, FAIRMESH_LIST_NEEDLES, 0) == again.needle_count);
     CHECK(memcmp(copy, made->out, made->bytes) == 0);
     free(copy);
     OK(fairmesh_result_free(made->result));
@@ -172,8 +213,7 @@ static void normals_given_back(const Faired *made) {
     size_t v;
     options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
     options.boundary_normals.vectors = points_of(made->normals, made->boundary_count);
-    options.boundary_normals.vertices.data = made->boundary;
-    options.boundary_normals.vertices.count = made->boundary_count;
+    options.boundary_normals.vertices = indices_of(made->boundary, made->boundary_count);
     OK(fairmesh_fair(&cap->mesh, &cap->selection, &options, &into, NULL, NULL, NULL));
     for (v = 0; v < 3 * cap->vertices; v++) CHECK(fabs(again[v] - made->out[v]) < 1e-7);
     free(again);
@@ -184,7 +224,6 @@ static void in_place_by_list(const Faired *made) {
     const Cap *cap = &made->cap;
     fairmesh_mesh mesh = cap->mesh;
     fairmesh_selection list = cap->selection;
-    fairmesh_error error;
     double *in_place = (double *)must(malloc(made->bytes));
     fairmesh_points_out same = points_out_of(in_place, cap->vertices);
     uint32_t *vertices = (uint32_t *)must(malloc(cap->vertices * 4));
@@ -208,7 +247,6 @@ static void soup(const Faired *made) {
     const Cap *cap = &made->cap;
     fairmesh_mesh mesh = cap->mesh;
     fairmesh_selection corners = cap->selection;
-    fairmesh_error error;
     size_t count = 3 * cap->triangles, v;
     double *at = (double *)must(malloc(3 * count * sizeof *at));
     uint32_t *rows = (uint32_t *)must(malloc(count * sizeof *rows));
@@ -249,13 +287,10 @@ static void strided_floats(const Faired *made) {
     Vertex *vs = (Vertex *)must(malloc(cap->vertices * sizeof *vs));
     uint32_t *rows = (uint32_t *)must(malloc(cap->triangles * 20));
     uint8_t *fixed = (uint8_t *)must(malloc(cap->vertices * 3));
-    fairmesh_mesh mesh;
+    SIZED(fairmesh_mesh, mesh);
     fairmesh_selection others = cap->selection;
-    fairmesh_points_out floats;
-    fairmesh_error error;
+    ZERO(fairmesh_points_out, floats);
     size_t v, c;
-    memset(&mesh, 0, sizeof mesh);
-    mesh.struct_size = sizeof mesh;
     mesh.positions.data = vs[0].at;
     mesh.positions.count = cap->vertices;
     mesh.positions.stride = sizeof *vs;
@@ -273,7 +308,6 @@ static void strided_floats(const Faired *made) {
     others.kind = FAIRMESH_SELECTION_KIND_FIXED_MASK;
     others.data = fixed;
     others.stride = 3;
-    memset(&floats, 0, sizeof floats);
     floats.data = vs[0].at;
     floats.count = cap->vertices;
     floats.stride = sizeof *vs;
@@ -291,14 +325,11 @@ static void strided_floats(const Faired *made) {
 /* Everything but the outer boundary is free, cancelled after one iteration. */
 static void cancelled(const Cap *cap) {
     fairmesh_options options = quick();
-    fairmesh_report report;
-    fairmesh_error error;
-    Watch w;
-    memset(&w, 0, sizeof w);
+    SIZED(fairmesh_report, report);
+    ZERO(Watch, w);
     w.stop_at = 1;
     options.progress = watch;
     options.user_data = &w;
-    report.struct_size = sizeof report;
     OK(fairmesh_fair(&cap->mesh, NULL, &options, NULL, &report, NULL, &error));
     CHECK(report.outcome == FAIRMESH_OUTCOME_CANCELLED && report.iterations == 1);
     CHECK(report.free_vertices == 13 * 13);
@@ -308,12 +339,9 @@ static void cancelled(const Cap *cap) {
 static void papers_scheme(const Cap *cap, double *out) {
     fairmesh_options options = quick();
     fairmesh_points_out to = points_out_of(out, cap->vertices);
-    fairmesh_report report;
-    fairmesh_level level;
+    SIZED(fairmesh_report, report);
+    SIZED(fairmesh_level, level);
     fairmesh_result *result = NULL;
-    fairmesh_error error;
-    report.struct_size = sizeof report;
-    level.struct_size = sizeof level;
     options.solver = FAIRMESH_SOLVER_KIND_PAPER;
     options.paper_defect = 1e-4;
     OK(fairmesh_fair(&cap->mesh, &cap->selection, &options, &to, &report, &result, &error));
@@ -328,22 +356,17 @@ static void papers_scheme(const Cap *cap, double *out) {
 static void two_apart(const Cap *cap) {
     const uint32_t two[2] = {2 * 15 + 2, 12 * 15 + 12};
     fairmesh_options options = quick();
-    fairmesh_selection apart;
-    fairmesh_component part;
+    SIZED(fairmesh_selection, apart);
+    SIZED(fairmesh_component, part);
     fairmesh_attempt attempt;
-    fairmesh_report report;
+    SIZED(fairmesh_report, report);
     fairmesh_result *result = NULL;
-    fairmesh_error error;
     size_t v;
-    memset(&apart, 0, sizeof apart);
-    apart.struct_size = sizeof apart;
     apart.kind = FAIRMESH_SELECTION_KIND_FREE_VERTICES;
     apart.data = two;
     apart.count = 2;
-    report.struct_size = sizeof report;
     OK(fairmesh_fair(&cap->mesh, &apart, &options, NULL, &report, &result, &error));
     CHECK(report.free_vertices == 2 && report.component_count == 2);
-    part.struct_size = sizeof part;
     for (v = 0; v < 2; v++) {
         OK(fairmesh_result_component(result, 0, v, &part, &error));
         CHECK(part.vertex == two[v] && part.free_vertices == 1 && part.outcome == FAIRMESH_OUTCOME_CONVERGED);
@@ -367,7 +390,6 @@ static void two_apart(const Cap *cap) {
 static void curvature_of_mesh(const Cap *cap) {
     double *h = (double *)must(malloc(cap->vertices * sizeof(double)));
     fairmesh_scalars_out numbers = scalars_out_of(h, cap->vertices);
-    fairmesh_error error;
     size_t v;
     OK(fairmesh_mean_curvature(&cap->mesh, &numbers, &error));
     for (v = 0; v < cap->vertices; v++) CHECK(h[v] == h[v]);
@@ -400,28 +422,14 @@ static void intersections(void) {
     static const uint32_t expected[] = {0, 1, 1, 2};
     uint32_t pairs[4], first = 0;
     size_t size = 0;
-    fairmesh_mesh mesh;
-    fairmesh_indices among;
-    fairmesh_info info;
-    fairmesh_error error;
+    const fairmesh_mesh mesh = mesh_of(x, 6, corners, 3);
+    const fairmesh_indices among = indices_of(&first, 1);
     fairmesh_result *result = NULL;
-    memset(&mesh, 0, sizeof mesh);
-    mesh.struct_size = sizeof mesh;
-    mesh.positions.data = x;
-    mesh.positions.count = 6;
-    mesh.positions.scalar = FAIRMESH_SCALAR_FLOAT64;
-    mesh.triangles.data = corners;
-    mesh.triangles.count = 3;
     OK(fairmesh_self_intersections(&mesh, NULL, &result, &error));
     OK(fairmesh_result_list(result, FAIRMESH_LIST_INTERSECTIONS, 0, pairs, 4, &size, &error));
     CHECK(size == 4 && memcmp(pairs, expected, sizeof pairs) == 0);
-    info.struct_size = sizeof info;
-    OK(fairmesh_result_info(result, &info, &error));
-    CHECK(info.kind == FAIRMESH_RESULT_KIND_INTERSECTIONS);
+    CHECK(info_of(result).kind == FAIRMESH_RESULT_KIND_INTERSECTIONS);
     OK(fairmesh_result_free(result));
-    memset(&among, 0, sizeof among);
-    among.data = &first;
-    among.count = 1;
     OK(fairmesh_self_intersections(&mesh, &among, &result, &error));
     OK(fairmesh_result_list(result, FAIRMESH_LIST_INTERSECTIONS, 0, pairs, 4, &size, &error));
     CHECK(size == 2 && pairs[0] == 0 && pairs[1] == 1);
@@ -444,7 +452,6 @@ typedef struct {
 static void one_iteration_at_a_time(Stepped *at) {
     const Cap *cap = &at->cap;
     fairmesh_options options = quick();
-    fairmesh_error error;
     size_t bytes = 3 * cap->vertices * sizeof(double), v;
     double *whole = (double *)must(malloc(bytes)), *h = (double *)must(malloc(cap->vertices * sizeof(double)));
     fairmesh_points_out to = points_out_of(whole, cap->vertices);
@@ -472,12 +479,10 @@ static void one_iteration_at_a_time(Stepped *at) {
 /* Another curvature inside, and then the normals of the sphere, one vector per vertex. */
 static void another_target_and_normals(Stepped *at) {
     const Cap *cap = &at->cap;
-    fairmesh_target target;
-    fairmesh_boundary_normals normals;
-    fairmesh_error error;
+    ZERO(fairmesh_target, target);
+    ZERO(fairmesh_boundary_normals, normals);
     size_t bytes = 3 * cap->vertices * sizeof(double), v;
     double *unit = (double *)must(malloc(bytes));
-    memset(&target, 0, sizeof target);
     target.kind = FAIRMESH_TARGET_KIND_CONSTANT;
     target.constant = 2.0;
     OK(fairmesh_solver_set_target(at->solver, &target, &error));
@@ -487,7 +492,6 @@ static void another_target_and_normals(Stepped *at) {
     CHECK(off_sphere(at->steps, cap->vertices) > 1e-4);
     target.kind = FAIRMESH_TARGET_KIND_HARMONIC;
     OK(fairmesh_solver_set_target(at->solver, &target, &error));
-    memset(&normals, 0, sizeof normals);
     normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
     memcpy(unit, cap->positions, bytes);
     for (v = 0; v < cap->vertices; v++) {
@@ -503,19 +507,15 @@ static void another_target_and_normals(Stepped *at) {
 }
 
 static void reports_of_solver(const Stepped *at) {
-    fairmesh_report again;
-    fairmesh_component all;
-    fairmesh_attempt attempt;
-    fairmesh_error error;
-    again.struct_size = sizeof again;
+    SIZED(fairmesh_report, again);
+    SIZED(fairmesh_component, all);
+    SIZED(fairmesh_attempt, attempt);
     OK(fairmesh_solver_report(at->solver, &again, &error));
     CHECK(memcmp(&again, &at->report, sizeof again) == 0);
-    all.struct_size = sizeof all;
     OK(fairmesh_solver_component(at->solver, 0, &all, &error));
     CHECK(all.free_vertices == again.free_vertices && all.outcome == again.outcome);
     CHECK(fairmesh_solver_component(at->solver, 1, &all, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     CHECK(all.bending_energy == again.bending_energy && all.attempt_count >= 1);
-    attempt.struct_size = sizeof attempt;
     OK(fairmesh_solver_attempt(at->solver, 0, all.attempt_count - 1, &attempt, &error));
     CHECK(attempt.name[0] != 0 && attempt.free_vertices == again.free_vertices);
     CHECK(fairmesh_solver_attempt(at->solver, 0, all.attempt_count, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
@@ -525,7 +525,6 @@ static void reports_of_solver(const Stepped *at) {
 static void in_steps(void) {
     Stepped at;
     fairmesh_result *result = NULL;
-    fairmesh_error error;
     memset(&at, 0, sizeof at);
     at.cap = cap_new(15);
     at.report.struct_size = sizeof at.report;
@@ -549,23 +548,16 @@ static void in_steps(void) {
 /* The number of the loop that is a hole, of two. */
 static uint32_t loop_of_hole(const fairmesh_mesh *mesh) {
     fairmesh_result *loops = NULL;
-    fairmesh_info info;
-    fairmesh_loop boundary;
-    fairmesh_error error;
-    size_t size = 0;
+    SIZED(fairmesh_loop, boundary);
     uint64_t l, hole = 99;
     OK(fairmesh_boundary_loops(mesh, &loops, &error));
-    info.struct_size = sizeof info;
-    OK(fairmesh_result_info(loops, &info, &error));
+    fairmesh_info info = info_of(loops);
     CHECK(info.kind == FAIRMESH_RESULT_KIND_LOOPS && info.loop_count == 2);
-    boundary.struct_size = sizeof boundary;
     for (l = 0; l < 2; l++) {
         OK(fairmesh_result_loop(loops, l, &boundary, &error));
-        OK(fairmesh_result_list(loops, FAIRMESH_LIST_LOOP_VERTICES, l, NULL, 0, &size, &error));
-        CHECK(size == boundary.vertex_count && boundary.edge_a == UINT32_MAX);
+        CHECK(size_of_list(loops, FAIRMESH_LIST_LOOP_VERTICES, l) == boundary.vertex_count && boundary.edge_a == UINT32_MAX);
         if (boundary.kind == FAIRMESH_LOOP_KIND_HOLE) hole = l;
-        OK(fairmesh_result_list(loops, FAIRMESH_LIST_LOOP_TOUCHING, l, NULL, 0, &size, &error));
-        CHECK(size == 0);
+        CHECK(size_of_list(loops, FAIRMESH_LIST_LOOP_TOUCHING, l) == 0);
     }
     CHECK(hole < 2);
     OK(fairmesh_result_free(loops));
@@ -573,67 +565,32 @@ static uint32_t loop_of_hole(const fairmesh_mesh *mesh) {
 }
 
 static void reports_of_filling(const Cap *cap, const fairmesh_result *filled, uint32_t hole) {
-    fairmesh_info info;
-    fairmesh_fill_report what;
-    fairmesh_report report;
-    fairmesh_error error;
-    size_t size = 0;
-    info.struct_size = sizeof info;
-    OK(fairmesh_result_info(filled, &info, &error));
+    fairmesh_info info = info_of(filled);
     CHECK(info.kind == FAIRMESH_RESULT_KIND_FILLED && info.loop_count == 1);
     CHECK(info.new_vertex_count > 5 && info.new_triangle_count > 20);
-    what.struct_size = sizeof what;
-    OK(fairmesh_result_fill_report(filled, 0, &what, &error));
+    fairmesh_fill_report what = fill_report_of(filled, 0);
     CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_FAIRED && what.loop_index == hole && what.has_report);
     CHECK(what.first_vertex == cap->vertices && what.vertex_count == info.new_vertex_count);
-    report.struct_size = sizeof report;
-    OK(fairmesh_result_report(filled, 0, &report, &error));
-    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
-    OK(fairmesh_result_list(filled, FAIRMESH_LIST_OUTSIDE_VERTICES, 0, NULL, 0, &size, &error));
-    CHECK(size == what.outside_count);
+    CHECK(report_of(filled, 0).outcome == FAIRMESH_OUTCOME_CONVERGED);
+    CHECK(size_of_list(filled, FAIRMESH_LIST_OUTSIDE_VERTICES, 0) == what.outside_count);
 }
 
 /* What was there stands before what is new, which is on the sphere. */
 static void mesh_of_filling(const Cap *cap, const fairmesh_result *filled, size_t kept) {
-    fairmesh_info info;
-    fairmesh_error error;
-    fairmesh_points_out to;
-    fairmesh_indices_out into;
-    double *positions;
-    uint32_t *corners;
-    info.struct_size = sizeof info;
-    OK(fairmesh_result_info(filled, &info, &error));
-    positions = (double *)must(malloc((size_t)info.vertex_count * 24));
-    corners = (uint32_t *)must(malloc((size_t)info.triangle_count * 12));
-    to = points_out_of(positions, (size_t)info.vertex_count);
-    memset(&into, 0, sizeof into);
-    into.data = corners;
-    into.count = (size_t)info.triangle_count;
-    OK(fairmesh_result_positions(filled, &to, &error));
-    OK(fairmesh_result_triangles(filled, &into, &error));
+    double *positions = positions_of(filled);
+    uint32_t *corners = triangles_of(filled);
     CHECK(memcmp(corners, cap->corners, kept * 12) == 0);
     CHECK(memcmp(positions, cap->positions, cap->vertices * 24) == 0);
-    CHECK(off_sphere(positions + 3 * cap->vertices, (size_t)info.new_vertex_count) < 5e-3);
+    CHECK(off_sphere(positions + 3 * cap->vertices, (size_t)info_of(filled).new_vertex_count) < 5e-3);
     free(positions);
     free(corners);
 }
 
 static void parents_of_filling(const Cap *cap, const fairmesh_result *filled) {
-    fairmesh_info info;
-    fairmesh_error error;
-    fairmesh_points_out to;
-    size_t size = 0, v;
-    uint32_t *list;
-    double *weights;
-    info.struct_size = sizeof info;
-    OK(fairmesh_result_info(filled, &info, &error));
-    OK(fairmesh_result_list(filled, FAIRMESH_LIST_PARENTS, 0, NULL, 0, &size, &error));
-    CHECK(size == 3 * info.new_vertex_count);
-    list = (uint32_t *)must(malloc(size * 4));
-    weights = (double *)must(malloc(size * 8));
-    OK(fairmesh_result_list(filled, FAIRMESH_LIST_PARENTS, 0, list, size, &size, &error));
-    to = points_out_of(weights, size / 3);
-    OK(fairmesh_result_vectors(filled, FAIRMESH_VECTORS_PARENT_WEIGHTS, &to, &error));
+    size_t size, v;
+    uint32_t *list = list_of(filled, FAIRMESH_LIST_PARENTS, 0, &size);
+    double *weights = vectors_of(filled, FAIRMESH_VECTORS_PARENT_WEIGHTS, size / 3);
+    CHECK(size == 3 * info_of(filled).new_vertex_count);
     for (v = 0; v < size; v += 3) {
         CHECK(list[v] < cap->vertices && fabs(weights[v] + weights[v + 1] + weights[v + 2] - 1.0) < 1e-9);
     }
@@ -645,9 +602,8 @@ static void holes(void) {
     Cap cap = cap_new(15);
     fairmesh_mesh mesh = cap.mesh;
     fairmesh_options options = quick();
-    fairmesh_fill_options fill;
+    fairmesh_fill_options fill = filling();
     fairmesh_result *filled = NULL;
-    fairmesh_error error;
     size_t t, kept = 0;
     uint32_t hole;
     /* The dent goes, and leaves a hole. */
@@ -659,9 +615,7 @@ static void holes(void) {
     }
     mesh.triangles.count = kept;
     hole = loop_of_hole(&mesh);
-    OK(fairmesh_fill_options_init(&fill, sizeof fill));
-    fill.loops.data = &hole;
-    fill.loops.count = 1;
+    fill.loops = indices_of(&hole, 1);
     OK(fairmesh_fill_holes(&mesh, &fill, &options, &filled, &error));
     reports_of_filling(&cap, filled, hole);
     mesh_of_filling(&cap, filled, kept);
@@ -674,54 +628,29 @@ static void remeshing(void) {
     Cap cap = cap_new(15);
     fairmesh_remesh_options again;
     fairmesh_result *remeshed = NULL;
-    fairmesh_info info;
-    fairmesh_error error;
-    size_t size = 0;
-    info.struct_size = sizeof info;
     OK(fairmesh_remesh_options_init(&again, sizeof again));
     again.density *= 1.5;
     OK(fairmesh_remesh(&cap.mesh, &cap.selection, &again, &remeshed, &error));
-    OK(fairmesh_result_info(remeshed, &info, &error));
+    fairmesh_info info = info_of(remeshed);
     CHECK(info.kind == FAIRMESH_RESULT_KIND_REMESHED && info.vertex_count > cap.vertices);
-    OK(fairmesh_result_list(remeshed, FAIRMESH_LIST_KEPT_VERTICES, 0, NULL, 0, &size, &error));
-    CHECK(size + info.new_vertex_count == info.vertex_count);
-    OK(fairmesh_result_list(remeshed, FAIRMESH_LIST_KEPT_TRIANGLES, 0, NULL, 0, &size, &error));
-    CHECK(size + info.new_triangle_count == info.triangle_count);
-    OK(fairmesh_result_list(remeshed, FAIRMESH_LIST_FREE_VERTICES, 0, NULL, 0, &size, &error));
-    CHECK(size > 25);
+    CHECK(size_of_list(remeshed, FAIRMESH_LIST_KEPT_VERTICES, 0) + info.new_vertex_count == info.vertex_count);
+    CHECK(size_of_list(remeshed, FAIRMESH_LIST_KEPT_TRIANGLES, 0) + info.new_triangle_count == info.triangle_count);
+    CHECK(size_of_list(remeshed, FAIRMESH_LIST_FREE_VERTICES, 0) > 25);
     OK(fairmesh_result_free(remeshed));
     cap_free(&cap);
 }
 
 /* Whether a filled mesh is closed, of genus 0, and its new vertices on the unit sphere. */
 static void check_whole_sphere(const fairmesh_result *filled) {
-    fairmesh_info info;
-    fairmesh_mesh mesh;
+    const fairmesh_info info = info_of(filled);
+    double *positions = positions_of(filled);
+    uint32_t *corners = triangles_of(filled);
+    const fairmesh_mesh mesh = mesh_of(positions, (size_t)info.vertex_count, corners, (size_t)info.triangle_count);
     fairmesh_result *loops = NULL;
-    double *positions;
-    uint32_t *corners;
-    fairmesh_points_out to;
-    fairmesh_indices_out into;
-    info.struct_size = sizeof info;
-    OK(fairmesh_result_info(filled, &info, NULL));
     CHECK(info.vertex_count - info.triangle_count / 2 == 2);
-    positions = (double *)must(malloc((size_t)info.vertex_count * 24));
-    corners = (uint32_t *)must(malloc((size_t)info.triangle_count * 12));
-    to = points_out_of(positions, (size_t)info.vertex_count);
-    memset(&into, 0, sizeof into);
-    into.data = corners;
-    into.count = (size_t)info.triangle_count;
-    OK(fairmesh_result_positions(filled, &to, NULL));
-    OK(fairmesh_result_triangles(filled, &into, NULL));
     CHECK(info.new_vertex_count > 30 && off_sphere(positions, (size_t)info.vertex_count) < 1e-8);
-    memset(&mesh, 0, sizeof mesh);
-    mesh.struct_size = sizeof mesh;
-    mesh.positions = points_of(positions, (size_t)info.vertex_count);
-    mesh.triangles.data = corners;
-    mesh.triangles.count = (size_t)info.triangle_count;
     OK(fairmesh_boundary_loops(&mesh, &loops, NULL));
-    OK(fairmesh_result_info(loops, &info, NULL));
-    CHECK(info.loop_count == 0);
+    CHECK(info_of(loops).loop_count == 0);
     OK(fairmesh_result_free(loops));
     free(positions);
     free(corners);
@@ -729,19 +658,15 @@ static void check_whole_sphere(const fairmesh_result *filled) {
 
 static void two_components(const Ball *ball) {
     fairmesh_result *result = NULL;
-    fairmesh_info info;
-    fairmesh_loop boundary;
-    fairmesh_error error;
-    uint32_t *of = (uint32_t *)must(malloc(BALL_TRIANGLES * sizeof *of));
-    size_t size = 0, t;
-    info.struct_size = sizeof info;
-    boundary.struct_size = sizeof boundary;
+    SIZED(fairmesh_loop, boundary);
+    uint32_t *of;
+    size_t t;
     OK(fairmesh_components(&ball->mesh, &result, &error));
-    OK(fairmesh_result_info(result, &info, &error));
+    fairmesh_info info = info_of(result);
     CHECK(info.kind == FAIRMESH_RESULT_KIND_COMPONENTS && info.component_count == 2);
     CHECK(info.vertex_count == BALL_VERTICES && info.triangle_count == BALL_TRIANGLES);
-    OK(fairmesh_result_list(result, FAIRMESH_LIST_TRIANGLE_COMPONENTS, 0, of, BALL_TRIANGLES, &size, &error));
-    for (t = 0; t < size; t++) CHECK(of[t] == t / BALL_CAP_TRIANGLES);
+    of = list_of(result, FAIRMESH_LIST_TRIANGLE_COMPONENTS, 0, NULL);
+    for (t = 0; t < BALL_TRIANGLES; t++) CHECK(of[t] == t / BALL_CAP_TRIANGLES);
     OK(fairmesh_result_free(result));
     free(of);
     OK(fairmesh_boundary_loops(&ball->mesh, &result, &error));
@@ -753,7 +678,6 @@ static void two_components(const Ball *ball) {
 static void first_two_are_joined(const fairmesh_result *result) {
     uint32_t list[2] = {9, 9};
     size_t size = 0;
-    fairmesh_error error;
     OK(fairmesh_result_list(result, FAIRMESH_LIST_JOINED_LOOPS, 0, list, 2, &size, &error));
     CHECK(size == 2 && list[0] == 0 && list[1] == 1);
 }
@@ -761,17 +685,11 @@ static void first_two_are_joined(const fairmesh_result *result) {
 /* What is suggested is what is done without being told. */
 static void joined_by_themselves(const Ball *ball) {
     fairmesh_options options = quick();
-    fairmesh_fill_options fill;
-    fairmesh_join_suggestion suggestion;
-    fairmesh_fill_report what;
+    fairmesh_fill_options fill = filling();
+    SIZED(fairmesh_join_suggestion, suggestion);
     fairmesh_result *result = NULL;
-    fairmesh_info info;
-    fairmesh_error error;
-    info.struct_size = sizeof info;
-    suggestion.struct_size = sizeof suggestion;
-    what.struct_size = sizeof what;
     OK(fairmesh_suggest_joins(&ball->mesh, NULL, &result, &error));
-    OK(fairmesh_result_info(result, &info, &error));
+    fairmesh_info info = info_of(result);
     CHECK(info.kind == FAIRMESH_RESULT_KIND_JOINS && info.loop_count == 1);
     OK(fairmesh_result_suggestion(result, 0, &suggestion, &error));
     CHECK(suggestion.loop_count == 2 && suggestion.joint_bend < 0.9 * suggestion.separate_bend);
@@ -780,12 +698,11 @@ static void joined_by_themselves(const Ball *ball) {
     first_two_are_joined(result);
     OK(fairmesh_result_free(result));
 
-    OK(fairmesh_fill_options_init(&fill, sizeof fill));
     CHECK(fill.join.kind == FAIRMESH_JOIN_KIND_NONE && fill.on_failure == FAIRMESH_ON_FAILURE_LINEAR && fill.only_listed == 0);
     fill.join.kind = FAIRMESH_JOIN_KIND_AUTO;
     OK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error));
     check_whole_sphere(result);
-    OK(fairmesh_result_fill_report(result, 0, &what, &error));
+    fairmesh_fill_report what = fill_report_of(result, 0);
     CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_FAIRED && what.joined_count == 2 && what.edge_count == 2 * BALL_ROUND);
     CHECK(what.joint_bend == suggestion.joint_bend && what.separate_area == suggestion.separate_area);
     CHECK(what.reason_element == FAIRMESH_NO_ELEMENT && what.reason_other == FAIRMESH_NO_ELEMENT);
@@ -796,28 +713,19 @@ static void joined_by_themselves(const Ball *ball) {
 /* By their numbers, and no other loop; a third one is not there; a group for each is as no group. */
 static void joined_by_number(Ball *ball) {
     fairmesh_options options = quick();
-    fairmesh_fill_options fill;
-    fairmesh_fill_report what;
+    fairmesh_fill_options fill = filling();
     fairmesh_result *result = NULL;
-    fairmesh_info info;
-    fairmesh_error error;
     uint32_t loops[3] = {1, 0, 2}, starts[2] = {0, 2};
     size_t t;
-    info.struct_size = sizeof info;
-    what.struct_size = sizeof what;
-    OK(fairmesh_fill_options_init(&fill, sizeof fill));
     fill.join.kind = FAIRMESH_JOIN_KIND_GROUPS;
-    fill.join.loops.data = loops;
-    fill.join.loops.count = 2;
+    fill.join.loops = indices_of(loops, 2);
     fill.only_listed = 1;
     OK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error));
     check_whole_sphere(result);
-    OK(fairmesh_result_info(result, &info, &error));
-    OK(fairmesh_result_fill_report(result, 0, &what, &error));
-    CHECK(info.loop_count == 1 && what.joined_count == 2 && what.joint_bend != what.joint_bend);
+    fairmesh_fill_report what = fill_report_of(result, 0);
+    CHECK(info_of(result).loop_count == 1 && what.joined_count == 2 && what.joint_bend != what.joint_bend);
     OK(fairmesh_result_free(result));
-    fill.join.starts.data = starts;
-    fill.join.starts.count = 1;
+    fill.join.starts = indices_of(starts, 1);
     fill.join.loops.count = 3;
     CHECK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error) == FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE);
     CHECK(error.element_kind == FAIRMESH_ELEMENT_LOOP && error.element == 2);
@@ -825,8 +733,7 @@ static void joined_by_number(Ball *ball) {
     fill.join.starts.count = 2;
     fill.join.loops.count = 2;
     OK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error));
-    OK(fairmesh_result_info(result, &info, &error));
-    CHECK(info.loop_count == 2);
+    CHECK(info_of(result).loop_count == 2);
     OK(fairmesh_result_free(result));
 
     /* One cap turned around: refused, with the two loops. */
@@ -837,7 +744,7 @@ static void joined_by_number(Ball *ball) {
     }
     fill.join.starts.count = 0;
     OK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error));
-    OK(fairmesh_result_fill_report(result, 0, &what, &error));
+    what = fill_report_of(result, 0);
     CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_LEFT_OPEN && what.reason == FAIRMESH_FILL_REASON_OPPOSITE_SIDES);
     CHECK(what.reason_element == 0 && what.reason_other == 1 && what.triangle_count == 0);
     OK(fairmesh_result_free(result));
@@ -855,25 +762,17 @@ static void joins(void) {
 
 static void strip_alone(const Ball *ball, const fairmesh_indices *from, const fairmesh_indices *to) {
     fairmesh_options options = quick();
-    fairmesh_bridge_report told;
-    fairmesh_fill_report strip;
-    fairmesh_report report;
+    SIZED(fairmesh_bridge_report, told);
+    SIZED(fairmesh_report, report);
     fairmesh_result *result = NULL;
-    fairmesh_error error;
-    uint32_t list[8];
     size_t size;
-    told.struct_size = sizeof told;
-    strip.struct_size = sizeof strip;
-    report.struct_size = sizeof report;
     OK(fairmesh_bridge(&ball->mesh, from, to, NULL, NULL, &options, &result, &error));
     OK(fairmesh_result_bridge(result, &told, &error));
     CHECK(!told.has_whole && told.rest_count == 0 && fabs(told.twist) < 20);
-    OK(fairmesh_result_fill_report(result, 0, &strip, &error));
+    fairmesh_fill_report strip = fill_report_of(result, 0);
     CHECK(strip.outcome == FAIRMESH_FILL_OUTCOME_FAIRED && strip.triangle_count > 10);
-    OK(fairmesh_result_list(result, FAIRMESH_LIST_BRIDGE_CHAIN, 1, list, 8, &size, &error));
-    CHECK(size == 3);
-    OK(fairmesh_result_list(result, FAIRMESH_LIST_BRIDGE_SIDE, 0, NULL, 0, &size, &error));
-    CHECK(size > 0);
+    CHECK(size_of_list(result, FAIRMESH_LIST_BRIDGE_CHAIN, 1) == 3);
+    CHECK(size_of_list(result, FAIRMESH_LIST_BRIDGE_SIDE, 0) > 0);
     CHECK(fairmesh_result_list(result, FAIRMESH_LIST_BRIDGE_SIDE, 2, NULL, 0, &size, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     CHECK(fairmesh_result_report(result, 1, &report, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     OK(fairmesh_result_free(result));
@@ -882,24 +781,17 @@ static void strip_alone(const Ball *ball, const fairmesh_indices *from, const fa
 static void strip_and_rest(const Ball *ball, const fairmesh_indices *from, const fairmesh_indices *to) {
     fairmesh_options options = quick();
     fairmesh_bridge_options how;
-    fairmesh_bridge_report told;
-    fairmesh_report report;
-    fairmesh_info info;
+    SIZED(fairmesh_bridge_report, told);
     fairmesh_result *result = NULL;
-    fairmesh_error error;
-    told.struct_size = sizeof told;
-    info.struct_size = sizeof info;
-    report.struct_size = sizeof report;
     OK(fairmesh_bridge_options_init(&how, sizeof how));
     CHECK(how.fill == 0 && how.width == 0);
     how.fill = 1;
     OK(fairmesh_bridge(&ball->mesh, from, to, &how, NULL, &options, &result, &error));
     OK(fairmesh_result_bridge(result, &told, &error));
     CHECK(told.is_clean && told.has_whole && told.rest_count == 1);
-    OK(fairmesh_result_info(result, &info, &error));
+    fairmesh_info info = info_of(result);
     CHECK(info.kind == FAIRMESH_RESULT_KIND_BRIDGED && info.loop_count == 2);
-    OK(fairmesh_result_report(result, 2, &report, &error));
-    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
+    CHECK(report_of(result, 2).outcome == FAIRMESH_OUTCOME_CONVERGED);
     check_whole_sphere(result);
     OK(fairmesh_result_free(result));
     how.width = -1;
@@ -910,14 +802,11 @@ static void strip_and_rest(const Ball *ball, const fairmesh_indices *from, const
 /* Guides from these two vertices and from those across. */
 static void guides(const Ball *ball, uint32_t from, uint32_t to) {
     fairmesh_options options = quick();
-    fairmesh_fill_options fill;
+    fairmesh_fill_options fill = filling();
     fairmesh_result *result = NULL;
-    fairmesh_error error;
     uint32_t guide[4];
-    OK(fairmesh_fill_options_init(&fill, sizeof fill));
     fill.join.kind = FAIRMESH_JOIN_KIND_AUTO;
-    fill.guides.data = guide;
-    fill.guides.count = 2;
+    fill.guides = indices_of(guide, 2);
     guide[0] = from, guide[1] = to;
     guide[2] = from + BALL_ROUND / 2, guide[3] = to + BALL_ROUND / 2;
     OK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error));
@@ -933,20 +822,14 @@ static void bridges(void) {
     Ball *ball = (Ball *)must(malloc(sizeof *ball));
     fairmesh_options options = quick();
     fairmesh_result *result = NULL;
-    fairmesh_error error;
     uint32_t ends[2][3];
-    fairmesh_indices from, to;
+    const fairmesh_indices from = indices_of(ends[0], 3), to = indices_of(ends[1], 3);
     size_t k;
     ball_make(ball);
     for (k = 0; k < 3; k++) {
         ends[0][k] = (uint32_t)(BALL_CAP - BALL_ROUND + k);
         ends[1][k] = (uint32_t)(BALL_VERTICES - BALL_ROUND + k);
     }
-    memset(&from, 0, sizeof from);
-    from.data = ends[0];
-    from.count = 3;
-    to = from;
-    to.data = ends[1];
     strip_alone(ball, &from, &to);
     strip_and_rest(ball, &from, &to);
     ends[1][1] = 0;
@@ -956,55 +839,45 @@ static void bridges(void) {
     free(ball);
 }
 
-/* What stays of the mesh when these faces are erased; `list` has room for all triangles. */
-static size_t erased_from(const Cap *cap, const fairmesh_indices *faces, uint32_t *loops, uint32_t *list, uint32_t *corners) {
-    fairmesh_info info;
-    fairmesh_error error;
+/* What stays of the mesh when these faces are erased, and the loop that they leave. */
+static size_t erased_from(const Cap *cap, const fairmesh_indices *faces, uint32_t *hole, uint32_t *corners) {
     fairmesh_result *erased = NULL;
-    size_t t, size = 0;
+    uint32_t *left, *found;
+    size_t t, size;
     OK(fairmesh_erase(&cap->mesh, faces, 0, &erased, &error));
-    info.struct_size = sizeof info;
-    OK(fairmesh_result_info(erased, &info, &error));
+    fairmesh_info info = info_of(erased);
     CHECK(info.kind == FAIRMESH_RESULT_KIND_ERASED && info.loop_count == 1 && info.vertex_count == cap->vertices);
     CHECK(info.triangle_count + info.dropped_count + faces->count == cap->triangles);
-    OK(fairmesh_result_list(erased, FAIRMESH_LIST_ERASED_LOOPS, 0, loops, 4, &size, &error));
+    found = list_of(erased, FAIRMESH_LIST_ERASED_LOOPS, 0, &size);
     CHECK(size == 1);
-    OK(fairmesh_result_list(erased, FAIRMESH_LIST_KEPT_TRIANGLES, 0, list, cap->triangles, &size, &error));
+    *hole = found[0];
+    left = list_of(erased, FAIRMESH_LIST_KEPT_TRIANGLES, 0, &size);
     CHECK(size == info.triangle_count);
-    for (t = 0; t < size; t++) memcpy(corners + 3 * t, cap->corners + 3 * list[t], 12);
+    for (t = 0; t < size; t++) memcpy(corners + 3 * t, cap->corners + 3 * left[t], 12);
     OK(fairmesh_result_free(erased));
+    free(found);
+    free(left);
     return size;
 }
 
-static void filled_where_erased(const Cap *cap, const fairmesh_mesh *left, uint32_t *loops) {
+static void filled_where_erased(const Cap *cap, const fairmesh_mesh *left, uint32_t hole) {
     fairmesh_options options = quick();
-    fairmesh_fill_options fill;
-    fairmesh_fill_report what;
-    fairmesh_info info;
-    fairmesh_error error;
+    fairmesh_fill_options fill = filling();
     fairmesh_result *filled = NULL;
-    fairmesh_points_out to;
     double *positions;
-    OK(fairmesh_fill_options_init(&fill, sizeof fill));
-    fill.loops.data = loops;
-    fill.loops.count = 1;
+    fill.loops = indices_of(&hole, 1);
     fill.on_failure = FAIRMESH_ON_FAILURE_OPEN;
     OK(fairmesh_fill_holes(left, &fill, &options, &filled, &error));
-    what.struct_size = sizeof what;
-    OK(fairmesh_result_fill_report(filled, 0, &what, &error));
-    CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_FAIRED && what.loop_index == loops[0]);
-    info.struct_size = sizeof info;
-    OK(fairmesh_result_info(filled, &info, &error));
-    positions = (double *)must(malloc((size_t)info.vertex_count * 24));
-    to = points_out_of(positions, (size_t)info.vertex_count);
-    OK(fairmesh_result_positions(filled, &to, &error));
-    CHECK(off_sphere(positions + 3 * cap->vertices, (size_t)info.new_vertex_count) < 5e-3);
+    fairmesh_fill_report what = fill_report_of(filled, 0);
+    CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_FAIRED && what.loop_index == hole);
+    positions = positions_of(filled);
+    CHECK(off_sphere(positions + 3 * cap->vertices, (size_t)info_of(filled).new_vertex_count) < 5e-3);
     free(positions);
     OK(fairmesh_result_free(filled));
     /* One iteration is not enough, and such loops stay open. */
     options.max_iterations = 1;
     OK(fairmesh_fill_holes(left, &fill, &options, &filled, &error));
-    OK(fairmesh_result_fill_report(filled, 0, &what, &error));
+    what = fill_report_of(filled, 0);
     CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_LEFT_OPEN && what.reason == FAIRMESH_FILL_REASON_NOT_FAIR);
     OK(fairmesh_result_free(filled));
 }
@@ -1012,22 +885,20 @@ static void filled_where_erased(const Cap *cap, const fairmesh_mesh *left, uint3
 /* A dent erased and filled. */
 static void erasing(void) {
     Cap cap = cap_new(15);
-    fairmesh_indices faces;
+    ZERO(fairmesh_indices, faces);
     fairmesh_mesh left = cap.mesh;
-    fairmesh_error error;
     fairmesh_result *erased = NULL;
     uint32_t *list = (uint32_t *)must(malloc(cap.triangles * 4)), *corners = (uint32_t *)must(malloc(cap.triangles * 12));
-    uint32_t loops[4];
+    uint32_t hole;
     size_t t;
-    memset(&faces, 0, sizeof faces);
     faces.data = list;
     for (t = 0; t < cap.triangles; t++) {
         const uint32_t *c = cap.corners + 3 * t;
         if (cap.free_mask[c[0]] || cap.free_mask[c[1]] || cap.free_mask[c[2]]) list[faces.count++] = (uint32_t)t;
     }
     left.triangles.data = corners;
-    left.triangles.count = erased_from(&cap, &faces, loops, list, corners);
-    filled_where_erased(&cap, &left, loops);
+    left.triangles.count = erased_from(&cap, &faces, &hole, corners);
+    filled_where_erased(&cap, &left, hole);
     list[0] = (uint32_t)cap.triangles;
     CHECK(fairmesh_erase(&cap.mesh, &faces, 0, &erased, &error) == FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE);
     CHECK(error.element_kind == FAIRMESH_ELEMENT_TRIANGLE && error.element == cap.triangles);
@@ -1072,60 +943,67 @@ static void sheet_make(Sheet *sheet, double rough) {
     t[0] = side * first + first + 1;
     t[1] = side * first + first;
     t[2] = SHEET_VERTICES - 1;
-    memset(&sheet->mesh, 0, sizeof sheet->mesh);
-    sheet->mesh.struct_size = sizeof sheet->mesh;
-    sheet->mesh.positions = points_of(sheet->positions, SHEET_VERTICES);
-    sheet->mesh.triangles.data = sheet->corners;
-    sheet->mesh.triangles.count = (size_t)(t + 3 - sheet->corners) / 3;
+    sheet->mesh = mesh_of(sheet->positions, SHEET_VERTICES, sheet->corners, (size_t)(t + 3 - sheet->corners) / 3);
 }
 
 static void trimming(void) {
     Sheet *sheet = (Sheet *)must(malloc(sizeof *sheet));
-    fairmesh_indices loops;
+    uint32_t outer = 0, hole = 1, k;
+    fairmesh_indices loops = indices_of(&hole, 1);
     fairmesh_info info;
-    fairmesh_error error;
     fairmesh_result *trimmed = NULL;
-    uint32_t *kept, outer = 0, hole = 1, k;
     size_t count, size;
     sheet_make(sheet, 0.0);
     count = sheet->mesh.triangles.count;
-    kept = (uint32_t *)must(malloc(4 * count));
-    info.struct_size = sizeof info;
-    memset(&loops, 0, sizeof loops);
-    loops.count = 1;
-    loops.data = &hole;
     for (k = 0; k < 2; k++) {
+        uint32_t *kept;
         /* All holes, or this one: the tooth is gone, whose area is that of its two sides. */
         OK(fairmesh_trim_boundary(&sheet->mesh, k ? &loops : NULL, 100, 0.0, &trimmed, &error));
-        OK(fairmesh_result_info(trimmed, &info, &error));
+        info = info_of(trimmed);
         CHECK(info.kind == FAIRMESH_RESULT_KIND_TRIMMED && info.vertex_count == SHEET_VERTICES);
         CHECK(info.triangle_count == count - 1 && info.dropped_count == 1);
         CHECK(fabs(info.dropped_area - 0.5 * sqrt(0.36 + 0.16)) < 1e-12);
-        OK(fairmesh_result_list(trimmed, FAIRMESH_LIST_KEPT_TRIANGLES, 0, kept, count, &size, &error));
+        kept = list_of(trimmed, FAIRMESH_LIST_KEPT_TRIANGLES, 0, &size);
         CHECK(size == count - 1 && kept[0] == 0 && kept[size - 1] == count - 2);
+        free(kept);
         CHECK(fairmesh_result_triangles(trimmed, NULL, &error) != FAIRMESH_STATUS_OK);
         OK(fairmesh_result_free(trimmed));
     }
     /* Too small a limit, and the other loop. */
     OK(fairmesh_trim_boundary(&sheet->mesh, NULL, 100, 0.1, &trimmed, &error));
-    OK(fairmesh_result_info(trimmed, &info, &error));
+    info = info_of(trimmed);
     CHECK(info.dropped_count == 0 && info.dropped_area == 0.0);
     OK(fairmesh_result_free(trimmed));
     loops.data = &outer;
     OK(fairmesh_trim_boundary(&sheet->mesh, &loops, 2, 0.0, &trimmed, NULL));
-    OK(fairmesh_result_info(trimmed, &info, &error));
+    info = info_of(trimmed);
     CHECK(info.dropped_count == 2 && fabs(info.dropped_area - 1.0) < 1e-12);
     OK(fairmesh_result_free(trimmed));
-    free(kept);
     free(sheet);
+}
+
+/* What is advised can be handed over as it is; and more rings than any mesh has. */
+static void relaxed_as_advised(const fairmesh_mesh *mesh, const fairmesh_loop *rough) {
+    fairmesh_options options = quick();
+    fairmesh_fill_options fill = filling();
+    fairmesh_result *filled = NULL;
+    fill.relax_rim = rough->advised_relax_rim;
+    fill.relax_within = rough->advised_relax_within;
+    OK(fairmesh_fill_holes(mesh, &fill, &options, &filled, &error));
+    fairmesh_fill_report what = fill_report_of(filled, 1);
+    CHECK(what.has_relaxed && what.moved_count > 16 && what.moved_within == rough->advised_relax_within);
+    OK(fairmesh_result_free(filled));
+    fill.relax_rim = UINT64_MAX;
+    OK(fairmesh_fill_holes(mesh, &fill, &options, &filled, &error));
+    what = fill_report_of(filled, 1);
+    CHECK(what.has_relaxed && what.moved_count == SHEET_VERTICES - 1 - 9);
+    OK(fairmesh_result_free(filled));
 }
 
 static void roughness(void) {
     Sheet *sheet = (Sheet *)must(malloc(sizeof *sheet));
     fairmesh_loop plain, of;
-    fairmesh_error error;
     fairmesh_result *loops = NULL, *rough = NULL;
-    fairmesh_fill_options fill;
     int k;
     plain.struct_size = of.struct_size = sizeof of;
     for (k = 0; k < 2; k++) {
@@ -1143,26 +1021,7 @@ static void roughness(void) {
         OK(fairmesh_result_free(rough));
     }
     CHECK(of.advised_relax_rim == 3 && fabs(of.advised_relax_within - 1.0) < 0.3);
-    /* What is advised can be handed over as it is. */
-    OK(fairmesh_fill_options_init(&fill, sizeof fill));
-    fill.relax_rim = of.advised_relax_rim;
-    fill.relax_within = of.advised_relax_within;
-    {
-        fairmesh_options options = quick();
-        fairmesh_result *filled = NULL;
-        fairmesh_fill_report what;
-        what.struct_size = sizeof what;
-        OK(fairmesh_fill_holes(&sheet->mesh, &fill, &options, &filled, &error));
-        OK(fairmesh_result_fill_report(filled, 1, &what, &error));
-        CHECK(what.has_relaxed && what.moved_count > 16 && what.moved_within == of.advised_relax_within);
-        OK(fairmesh_result_free(filled));
-        /* More rings than any mesh has. */
-        fill.relax_rim = UINT64_MAX;
-        OK(fairmesh_fill_holes(&sheet->mesh, &fill, &options, &filled, &error));
-        OK(fairmesh_result_fill_report(filled, 1, &what, &error));
-        CHECK(what.has_relaxed && what.moved_count == SHEET_VERTICES - 1 - 9);
-        OK(fairmesh_result_free(filled));
-    }
+    relaxed_as_advised(&sheet->mesh, &of);
     free(sheet);
 }
 
@@ -1172,10 +1031,9 @@ static void erasing_and_cleaning(void) {
     static uint32_t corners[6 * 36];
     static const double x[] = {0.0, 1.0, 2.0, 2.02, 3.0, 4.0, 5.0};
     static const uint32_t gone[] = {40, 41, 42, 43};
-    fairmesh_mesh mesh;
-    fairmesh_indices faces;
+    const fairmesh_mesh mesh = mesh_of(positions, 49, corners, 72);
+    const fairmesh_indices faces = indices_of(gone, 4);
     fairmesh_info info;
-    fairmesh_error error;
     fairmesh_result *erased = NULL;
     uint32_t i, j, *t = corners;
     for (i = 0; i < 49; i++) {
@@ -1191,18 +1049,9 @@ static void erasing_and_cleaning(void) {
             t += 6;
         }
     }
-    memset(&mesh, 0, sizeof mesh);
-    mesh.struct_size = sizeof mesh;
-    mesh.positions = points_of(positions, 49);
-    mesh.triangles.data = corners;
-    mesh.triangles.count = 72;
-    memset(&faces, 0, sizeof faces);
-    faces.data = gone;
-    faces.count = 4;
-    info.struct_size = sizeof info;
     for (i = 0; i <= 4; i += 2) {
         OK(fairmesh_erase(&mesh, &faces, i, &erased, &error));
-        OK(fairmesh_result_info(erased, &info, &error));
+        info = info_of(erased);
         CHECK(info.kind == FAIRMESH_RESULT_KIND_ERASED && info.cleaned_count == i && info.loop_count == 1);
         CHECK(info.triangle_count == 72 - 4 - info.cleaned_count - info.dropped_count);
         OK(fairmesh_result_free(erased));
@@ -1220,21 +1069,17 @@ static int32_t stop_at_once(const fairmesh_progress *progress, void *user_data) 
 static void carried_to(const Cap *cap, const double *positions, size_t count) {
     fairmesh_points points = points_of(positions, count);
     fairmesh_result *carried = NULL;
-    fairmesh_info info;
-    fairmesh_error error;
-    uint32_t *triangles = (uint32_t *)must(malloc(4 * count)), *corners = (uint32_t *)must(malloc(12 * count));
-    double *weights = (double *)must(malloc(24 * count));
-    fairmesh_points_out out = points_out_of(weights, count);
+    uint32_t *triangles, *corners;
+    double *weights;
     size_t k, i;
-    info.struct_size = sizeof info;
     OK(fairmesh_carry_over(&cap->mesh, NULL, &points, &carried, &error));
-    OK(fairmesh_result_info(carried, &info, &error));
+    fairmesh_info info = info_of(carried);
     CHECK(info.kind == FAIRMESH_RESULT_KIND_CARRIED && info.new_vertex_count == count);
-    OK(fairmesh_result_list(carried, FAIRMESH_LIST_CARRIED_TRIANGLES, 0, triangles, count, &k, &error));
+    triangles = list_of(carried, FAIRMESH_LIST_CARRIED_TRIANGLES, 0, &k);
     CHECK(k == count);
-    OK(fairmesh_result_list(carried, FAIRMESH_LIST_PARENTS, 0, corners, 3 * count, &k, &error));
+    corners = list_of(carried, FAIRMESH_LIST_PARENTS, 0, &k);
     CHECK(k == 3 * count);
-    OK(fairmesh_result_vectors(carried, FAIRMESH_VECTORS_PARENT_WEIGHTS, &out, &error));
+    weights = vectors_of(carried, FAIRMESH_VECTORS_PARENT_WEIGHTS, count);
     OK(fairmesh_result_free(carried));
     CHECK(triangles[0] == UINT32_MAX && corners[2] == UINT32_MAX && weights[0] == 0.0);
     for (k = 1; k < count; k++) {
@@ -1253,24 +1098,17 @@ static void carried_to(const Cap *cap, const double *positions, size_t count) {
 static void refilling(void) {
     Cap cap = cap_new(15);
     fairmesh_options options = quick();
-    fairmesh_info info;
-    fairmesh_error error;
     fairmesh_result *refilled = NULL;
-    fairmesh_points_out out;
     double *positions;
     uint32_t *kept;
     size_t size, k;
-    info.struct_size = sizeof info;
     OK(fairmesh_refill(&cap.mesh, &cap.selection, NULL, &options, &refilled, &error));
-    OK(fairmesh_result_info(refilled, &info, &error));
+    fairmesh_info info = info_of(refilled);
     CHECK(info.kind == FAIRMESH_RESULT_KIND_REMESHED && info.new_vertex_count > 10 && info.new_triangle_count > 20);
-    kept = (uint32_t *)must(malloc(4 * cap.vertices));
-    OK(fairmesh_result_list(refilled, FAIRMESH_LIST_KEPT_VERTICES, 0, kept, cap.vertices, &size, &error));
+    kept = list_of(refilled, FAIRMESH_LIST_KEPT_VERTICES, 0, &size);
     CHECK(size == info.vertex_count - info.new_vertex_count);
     for (k = 0; k < size; k++) CHECK(!cap.free_mask[kept[k]]);
-    positions = (double *)must(malloc(24 * (size_t)info.vertex_count));
-    out = points_out_of(positions, (size_t)info.vertex_count);
-    OK(fairmesh_result_positions(refilled, &out, &error));
+    positions = positions_of(refilled);
     CHECK(off_sphere(positions, (size_t)info.vertex_count) < 5e-3);
     OK(fairmesh_result_free(refilled));
     positions[3 * size] = NAN;
@@ -1290,13 +1128,10 @@ static void refilling(void) {
 
 /* The triangles that steps choose. */
 static size_t select_of(const fairmesh_mesh *mesh, const fairmesh_region_step *asked, size_t count, uint32_t *list, size_t room) {
-    fairmesh_error error;
     fairmesh_result *chosen = NULL;
-    fairmesh_info info;
     size_t size = 0;
     OK(fairmesh_select_region(mesh, asked, count, &chosen, &error));
-    info.struct_size = sizeof info;
-    OK(fairmesh_result_info(chosen, &info, &error));
+    fairmesh_info info = info_of(chosen);
     CHECK(info.kind == FAIRMESH_RESULT_KIND_REGION && info.vertex_count == mesh->positions.count);
     OK(fairmesh_result_list(chosen, FAIRMESH_LIST_REGION_TRIANGLES, 0, list, room, &size, &error));
     CHECK(size == info.triangle_count);
@@ -1321,10 +1156,9 @@ static Cap wide_sheet(void) {
 
 /* A box, half of it, without one triangle, and all others. */
 static void combined_regions(const Cap *cap, uint32_t *list) {
-    fairmesh_error error;
     fairmesh_result *chosen = NULL;
     fairmesh_region_step asked[4];
-    fairmesh_bump bump;
+    SIZED(fairmesh_bump, bump);
     uint32_t counts[4], one;
     size_t size;
     memset(asked, 0, sizeof asked);
@@ -1343,13 +1177,11 @@ static void combined_regions(const Cap *cap, uint32_t *list) {
     OK(fairmesh_result_list(chosen, FAIRMESH_LIST_REGION_COUNTS, 0, counts, 4, &size, &error));
     CHECK(size == 2 && counts[0] == 32 && counts[1] == cap->triangles / 2);
     CHECK(fairmesh_result_list(chosen, FAIRMESH_LIST_KEPT_TRIANGLES, 0, NULL, 0, &size, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
-    bump.struct_size = sizeof bump;
     CHECK(fairmesh_result_bump(chosen, 0, &bump, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     OK(fairmesh_result_free(chosen));
     CHECK(select_of(&cap->mesh, asked, 2, list, cap->triangles) == 16);
     one = list[0];
-    asked[2].list.data = &one;
-    asked[2].list.count = 1;
+    asked[2].list = indices_of(&one, 1);
     CHECK(select_of(&cap->mesh, asked, 3, list, cap->triangles) == 15);
     asked[3].kind = FAIRMESH_REGION_KIND_INVERT;
     CHECK(select_of(&cap->mesh, asked, 4, list, cap->triangles) == cap->triangles - 15);
@@ -1357,13 +1189,10 @@ static void combined_regions(const Cap *cap, uint32_t *list) {
 
 /* The bump, from the vertex at its top. */
 static void bump_from_its_top(const Cap *cap, uint32_t *list) {
-    fairmesh_error error;
     fairmesh_result *chosen = NULL;
-    fairmesh_region_step asked;
-    fairmesh_bump bump;
+    ZERO(fairmesh_region_step, asked);
+    SIZED(fairmesh_bump, bump);
     size_t size;
-    memset(&asked, 0, sizeof asked);
-    bump.struct_size = sizeof bump;
     asked.kind = FAIRMESH_REGION_KIND_BUMP;
     asked.seed_kind = FAIRMESH_SEED_KIND_VERTEX;
     asked.seed_vertex = WIDE * (WIDE / 2) + WIDE / 2;
@@ -1381,8 +1210,7 @@ static void grown_and_shrunk(const Cap *cap, uint32_t *list) {
     fairmesh_region_step asked[2];
     memset(asked, 0, sizeof asked);
     asked[0].kind = FAIRMESH_REGION_KIND_VERTICES;
-    asked[0].list.data = corner;
-    asked[0].list.count = 3;
+    asked[0].list = indices_of(corner, 3);
     CHECK(select_of(&cap->mesh, asked, 1, list, cap->triangles) == 1 && list[0] == 0);
     asked[1].kind = FAIRMESH_REGION_KIND_GROW;
     asked[1].rings = 1;
@@ -1394,10 +1222,8 @@ static void grown_and_shrunk(const Cap *cap, uint32_t *list) {
 }
 
 static void no_bump_far_away(const Cap *cap) {
-    fairmesh_error error;
     fairmesh_result *chosen = NULL;
-    fairmesh_region_step asked;
-    memset(&asked, 0, sizeof asked);
+    ZERO(fairmesh_region_step, asked);
     asked.kind = FAIRMESH_REGION_KIND_BUMP;
     asked.seed_kind = FAIRMESH_SEED_KIND_VERTEX;
     asked.seed_vertex = 12 * WIDE + 12;
@@ -1448,7 +1274,6 @@ typedef struct {
 
 /* Finds the surface of the edits that are set: how far its farthest coordinate is from the first one's. */
 static double finished(Live *at) {
-    fairmesh_error error;
     OK(fairmesh_solver_finish(at->solver, NULL, &error));
     OK(fairmesh_solver_positions(at->solver, &at->to, &error));
     return farthest(at->first, at->now, at->numbers);
@@ -1456,13 +1281,9 @@ static double finished(Live *at) {
 
 /* Frames of few evaluations until one says that the surface is found; then the edits in force are all that count. */
 static void frames_of_a_tilt(Live *at) {
-    fairmesh_budget limit;
-    fairmesh_frame frame;
-    fairmesh_error error;
+    SIZED(fairmesh_budget, limit);
+    SIZED(fairmesh_frame, frame);
     size_t frames = 0;
-    memset(&limit, 0, sizeof limit);
-    limit.struct_size = sizeof limit;
-    frame.struct_size = sizeof frame;
     at->edits[0].kind = FAIRMESH_EDIT_KIND_TILT;
     at->edits[0].vertex = on_boundary(&at->cap);
     at->edits[0].amount = 0.1;
@@ -1480,16 +1301,13 @@ static void frames_of_a_tilt(Live *at) {
 
 /* With all that is fixed the surface moves as a whole. */
 static void moved_as_a_whole(Live *at) {
-    fairmesh_frame frame;
-    fairmesh_error error;
+    SIZED(fairmesh_frame, frame);
     size_t v, fixed = 0;
-    frame.struct_size = sizeof frame;
     for (v = 0; v < at->cap.vertices; v++) {
         if (!at->cap.free_mask[v]) at->list[fixed++] = (uint32_t)v;
     }
     at->edits[0].kind = FAIRMESH_EDIT_KIND_MOVE;
-    at->edits[0].vertices.data = at->list;
-    at->edits[0].vertices.count = fixed;
+    at->edits[0].vertices = indices_of(at->list, fixed);
     at->edits[0].translation[1] = 0.5;
     OK(fairmesh_solver_edit(at->solver, at->edits, 1, &error));
     OK(fairmesh_solver_update(at->solver, NULL, &frame, &error));
@@ -1500,11 +1318,8 @@ static void moved_as_a_whole(Live *at) {
 }
 
 static void bulged(Live *at) {
-    fairmesh_bulge_range range;
-    fairmesh_report report;
-    fairmesh_error error;
-    range.struct_size = sizeof range;
-    report.struct_size = sizeof report;
+    SIZED(fairmesh_bulge_range, range);
+    SIZED(fairmesh_report, report);
     OK(fairmesh_solver_edit(at->solver, NULL, 0, &error));
     OK(fairmesh_solver_bulge_range(at->solver, &range, &error));
     CHECK(range.low < 0.0 && range.high > 0.0 && isfinite(range.low) && isfinite(range.high));
@@ -1518,7 +1333,6 @@ static void bulged(Live *at) {
 static void refused_edits(Live *at) {
     fairmesh_edit *edits = at->edits;
     uint32_t *list = at->list;
-    fairmesh_error error;
     edits[1].kind = 5;
     CHECK(fairmesh_solver_edit(at->solver, edits, 2, &error) == FAIRMESH_STATUS_BAD_ENUM);
     CHECK(error.element_kind == FAIRMESH_ELEMENT_ARGUMENT && error.element == 2);
@@ -1533,8 +1347,7 @@ static void refused_edits(Live *at) {
     edits[1].amount = NAN;
     CHECK(fairmesh_solver_edit(at->solver, edits, 2, &error) == FAIRMESH_STATUS_BAD_EDIT);
     edits[1].kind = FAIRMESH_EDIT_KIND_MOVE;
-    edits[1].vertices.data = list;
-    edits[1].vertices.count = 1;
+    edits[1].vertices = indices_of(list, 1);
     for (list[0] = 0; !at->cap.free_mask[list[0]]; list[0]++) {}
     CHECK(fairmesh_solver_edit(at->solver, edits, 2, &error) == FAIRMESH_STATUS_BAD_EDIT);
     CHECK(error.element_kind == FAIRMESH_ELEMENT_VERTEX && error.element == list[0]);
@@ -1546,13 +1359,9 @@ static void refused_edits(Live *at) {
 
 /* After what is refused the surface is still found. */
 static void refused_budgets(fairmesh_solver *solver) {
-    fairmesh_budget limit;
-    fairmesh_frame frame;
-    fairmesh_error error;
-    memset(&limit, 0, sizeof limit);
-    limit.struct_size = sizeof limit;
+    SIZED(fairmesh_budget, limit);
+    SIZED(fairmesh_frame, frame);
     limit.evaluations = 2;
-    frame.struct_size = sizeof frame;
     limit.reserved = 1;
     CHECK(fairmesh_solver_update(solver, &limit, &frame, &error) == FAIRMESH_STATUS_BAD_RESERVED);
     limit.reserved = 0;
@@ -1567,8 +1376,7 @@ static void refused_budgets(fairmesh_solver *solver) {
 static void live(void) {
     Live at;
     fairmesh_options options = quick();
-    fairmesh_report report;
-    fairmesh_error error;
+    SIZED(fairmesh_report, report);
     memset(&at, 0, sizeof at);
     at.cap = cap_new(21);
     at.numbers = 3 * at.cap.vertices;
@@ -1577,7 +1385,6 @@ static void live(void) {
     at.list = (uint32_t *)must(malloc(at.cap.vertices * sizeof(uint32_t)));
     at.to = points_out_of(at.first, at.cap.vertices);
     options.tolerance = 1e-10;
-    report.struct_size = sizeof report;
     OK(fairmesh_solver_new(&at.cap.mesh, &at.cap.selection, &options, &at.solver, &error));
     OK(fairmesh_solver_finish(at.solver, &report, &error));
     CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
@@ -1609,15 +1416,12 @@ typedef struct {
 /* Half of the way to a given mean curvature by a list: another surface than by the fitted one. */
 static void curvature_by_list(Continued *at) {
     const Cap *cap = &at->cap;
-    fairmesh_component whole;
-    fairmesh_continuity again;
+    SIZED(fairmesh_component, whole);
+    SIZED(fairmesh_continuity, again);
     fairmesh_result *result;
-    fairmesh_error error;
     double *fitted = (double *)must(malloc(at->bytes)), *given = (double *)must(malloc(cap->vertices * sizeof(double)));
     fairmesh_points_out into = points_out_of(fitted, cap->vertices);
     size_t v;
-    whole.struct_size = sizeof whole;
-    again.struct_size = sizeof again;
     OK(fairmesh_fair(&cap->mesh, &cap->selection, &at->options, &into, NULL, &result, &error));
     OK(fairmesh_result_list(result, FAIRMESH_LIST_BOUNDARY_VERTICES, 0, at->boundary, cap->vertices, &at->size, &error));
     OK(fairmesh_result_component(result, 0, 0, &whole, &error));
@@ -1627,8 +1431,7 @@ static void curvature_by_list(Continued *at) {
     for (v = 0; v < at->size; v++) given[v] = -1.25;
     at->options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
     at->options.boundary_curvature.values = numbers_of(given, at->size);
-    at->options.boundary_curvature.vertices.data = at->boundary;
-    at->options.boundary_curvature.vertices.count = at->size;
+    at->options.boundary_curvature.vertices = indices_of(at->boundary, at->size);
     into.data = at->by_list;
     OK(fairmesh_fair(&cap->mesh, &cap->selection, &at->options, &into, NULL, &result, &error));
     CHECK(memcmp(at->by_list, fitted, at->bytes) != 0);
@@ -1650,14 +1453,11 @@ static void curvature_by_list(Continued *at) {
 static fairmesh_solver *curvature_by_vertex(Continued *at) {
     const Cap *cap = &at->cap;
     fairmesh_boundary_curvature *curvature = &at->options.boundary_curvature;
-    fairmesh_component whole;
-    fairmesh_continuity again;
+    SIZED(fairmesh_component, whole);
+    SIZED(fairmesh_continuity, again);
     fairmesh_solver *solver;
-    fairmesh_error error;
     fairmesh_points_out into = points_out_of(at->by_vertex, cap->vertices);
     size_t v;
-    whole.struct_size = sizeof whole;
-    again.struct_size = sizeof again;
     for (v = 0; v < cap->vertices; v++) at->all[v] = NAN;
     for (v = 0; v < at->size; v++) at->all[at->boundary[v]] = -1.25f;
     memset(curvature, 0, sizeof *curvature);
@@ -1682,14 +1482,11 @@ static fairmesh_solver *curvature_by_vertex(Continued *at) {
 
 /* Tangent planes alone, then half of the way for the loop alone, by one of its vertices, then to the fitted curvature. */
 static void continuity_of_solver(const Continued *at, fairmesh_solver *solver) {
-    fairmesh_component whole;
-    fairmesh_continuity again;
+    SIZED(fairmesh_component, whole);
+    SIZED(fairmesh_continuity, again);
     fairmesh_loop_continuity one = at->options.loop_continuity;
-    fairmesh_boundary_curvature fitted;
-    fairmesh_error error;
+    ZERO(fairmesh_boundary_curvature, fitted);
     double half = 0.5;
-    whole.struct_size = sizeof whole;
-    again.struct_size = sizeof again;
     OK(fairmesh_solver_set_continuity(solver, 0.0, NULL, &error));
     OK(fairmesh_solver_run(solver, UINT64_MAX, NULL, &error));
     OK(fairmesh_solver_component(solver, 0, &whole, &error));
@@ -1704,7 +1501,6 @@ static void continuity_of_solver(const Continued *at, fairmesh_solver *solver) {
     half = 1.5;
     CHECK(fairmesh_solver_set_continuity(solver, 0.0, &one, &error) == FAIRMESH_STATUS_BAD_OPTION);
     CHECK(error.element_kind == FAIRMESH_ELEMENT_VERTEX && error.element == at->boundary[3]);
-    memset(&fitted, 0, sizeof fitted);
     OK(fairmesh_solver_set_boundary_curvature(solver, &fitted, &error));
     OK(fairmesh_solver_run(solver, UINT64_MAX, NULL, &error));
     OK(fairmesh_solver_continuity(solver, 0, 0, &again, &error));
@@ -1716,7 +1512,6 @@ static void continuity_of_loop(Continued *at) {
     const Cap *cap = &at->cap;
     fairmesh_options *options = &at->options;
     fairmesh_points_out into = points_out_of(at->by_list, cap->vertices);
-    fairmesh_error error;
     uint32_t astray = (uint32_t)cap->vertices;
     options->continuity = 0.0;
     OK(fairmesh_fair(&cap->mesh, &cap->selection, options, &into, NULL, NULL, &error));
@@ -1750,8 +1545,7 @@ static void continuity(void) {
     curvature_by_list(&at);
     solver = curvature_by_vertex(&at);
     at.options.loop_continuity.values = numbers_of(&half, 1);
-    at.options.loop_continuity.vertices.data = at.boundary + 3;
-    at.options.loop_continuity.vertices.count = 1;
+    at.options.loop_continuity.vertices = indices_of(at.boundary + 3, 1);
     continuity_of_solver(&at, solver);
     OK(fairmesh_solver_free(solver));
     continuity_of_loop(&at);

@@ -32,6 +32,14 @@
         }                                                                                   \
     } while (0)
 
+/* Declares a struct that is all zero, and one that begins with its size, too. */
+#define ZERO(type, name)                                                                    \
+    type name;                                                                              \
+    memset(&name, 0, sizeof name)
+#define SIZED(type, name)                                                                   \
+    ZERO(type, name);                                                                       \
+    name.struct_size = sizeof name
+
 /* A grid on the unit sphere, side * side vertices; the middle, which is free, is dented. */
 typedef struct {
     size_t side, vertices, triangles;
@@ -51,6 +59,34 @@ static void *must(void *block) {
 static int cap_is_free(size_t side, size_t v) {
     size_t i = v % side, j = v / side, frame = side / 4;
     return i > frame && i + frame + 1 < side && j > frame && j + frame + 1 < side;
+}
+
+/* Views of arrays of doubles. */
+#define VIEW(name, type, pointer)                                                           \
+    COMMON_MAY_STAY_UNUSED static type name(pointer data, size_t count) {                   \
+        ZERO(type, view);                                                                   \
+        view.data = data;                                                                   \
+        view.count = count;                                                                 \
+        view.scalar = FAIRMESH_SCALAR_FLOAT64;                                              \
+        return view;                                                                        \
+    }
+VIEW(points_of, fairmesh_points, const double *)
+VIEW(points_out_of, fairmesh_points_out, double *)
+VIEW(numbers_of, fairmesh_numbers, const double *)
+VIEW(scalars_out_of, fairmesh_scalars_out, double *)
+
+COMMON_MAY_STAY_UNUSED static fairmesh_indices indices_of(const uint32_t *data, size_t count) {
+    ZERO(fairmesh_indices, view);
+    view.data = data;
+    view.count = count;
+    return view;
+}
+
+COMMON_MAY_STAY_UNUSED static fairmesh_mesh mesh_of(const double *positions, size_t vertices, const uint32_t *corners, size_t triangles) {
+    SIZED(fairmesh_mesh, mesh);
+    mesh.positions = points_of(positions, vertices);
+    mesh.triangles = indices_of(corners, triangles);
+    return mesh;
 }
 
 /* The unit sphere without a band around its equator: two caps of rows of vertices around the poles. */
@@ -97,49 +133,7 @@ COMMON_MAY_STAY_UNUSED static void ball_make(Ball *ball) {
             }
         }
     }
-    memset(&ball->mesh, 0, sizeof ball->mesh);
-    ball->mesh.struct_size = sizeof ball->mesh;
-    ball->mesh.positions.data = ball->positions;
-    ball->mesh.positions.count = BALL_VERTICES;
-    ball->mesh.positions.scalar = FAIRMESH_SCALAR_FLOAT64;
-    ball->mesh.triangles.data = ball->corners;
-    ball->mesh.triangles.count = BALL_TRIANGLES;
-}
-
-COMMON_MAY_STAY_UNUSED static fairmesh_points points_of(const double *data, size_t count) {
-    fairmesh_points points;
-    memset(&points, 0, sizeof points);
-    points.data = data;
-    points.count = count;
-    points.scalar = FAIRMESH_SCALAR_FLOAT64;
-    return points;
-}
-
-COMMON_MAY_STAY_UNUSED static fairmesh_points_out points_out_of(double *data, size_t count) {
-    fairmesh_points_out points;
-    memset(&points, 0, sizeof points);
-    points.data = data;
-    points.count = count;
-    points.scalar = FAIRMESH_SCALAR_FLOAT64;
-    return points;
-}
-
-COMMON_MAY_STAY_UNUSED static fairmesh_numbers numbers_of(const double *data, size_t count) {
-    fairmesh_numbers numbers;
-    memset(&numbers, 0, sizeof numbers);
-    numbers.data = data;
-    numbers.count = count;
-    numbers.scalar = FAIRMESH_SCALAR_FLOAT64;
-    return numbers;
-}
-
-COMMON_MAY_STAY_UNUSED static fairmesh_scalars_out scalars_out_of(double *data, size_t count) {
-    fairmesh_scalars_out numbers;
-    memset(&numbers, 0, sizeof numbers);
-    numbers.data = data;
-    numbers.count = count;
-    numbers.scalar = FAIRMESH_SCALAR_FLOAT64;
-    return numbers;
+    ball->mesh = mesh_of(ball->positions, BALL_VERTICES, ball->corners, BALL_TRIANGLES);
 }
 
 static Cap cap_new(size_t side) {
@@ -170,10 +164,7 @@ static Cap cap_new(size_t side) {
             t += 2;
         }
     }
-    cap.mesh.struct_size = sizeof cap.mesh;
-    cap.mesh.positions = points_of(cap.positions, cap.vertices);
-    cap.mesh.triangles.data = cap.corners;
-    cap.mesh.triangles.count = cap.triangles;
+    cap.mesh = mesh_of(cap.positions, cap.vertices, cap.corners, cap.triangles);
     cap.selection.struct_size = sizeof cap.selection;
     cap.selection.kind = FAIRMESH_SELECTION_KIND_FREE_MASK;
     cap.selection.data = cap.free_mask;

@@ -74,17 +74,14 @@ static void live(Scene *s) {
     fairmesh_error error;
     fairmesh_solver *solver = NULL;
     fairmesh_edit edits[2];
-    fairmesh_frame frame;
-    fairmesh_bulge_range range;
+    SIZED(fairmesh_frame, frame);
+    SIZED(fairmesh_bulge_range, range);
     uint32_t fixed = 0;
     memset(edits, 0, sizeof edits);
-    frame.struct_size = sizeof frame;
-    range.struct_size = sizeof range;
     edits[0].kind = FAIRMESH_EDIT_KIND_BULGE;
     edits[0].amount = 0.02;
     edits[1].kind = FAIRMESH_EDIT_KIND_MOVE;
-    edits[1].vertices.data = &fixed;
-    edits[1].vertices.count = 1;
+    edits[1].vertices = indices_of(&fixed, 1);
     edits[1].translation[2] = 1e-3;
     edits[1].falloff = 0.1;
     if (!passed(s, fairmesh_solver_new(&s->cap.mesh, &s->cap.selection, &s->options, &solver, &error), &error)) return;
@@ -152,8 +149,7 @@ static void join(Scene *s) {
     ball_make(&ball);
     OK(fairmesh_fill_options_init(&options, sizeof options));
     options.join.kind = s->joins_itself ? FAIRMESH_JOIN_KIND_AUTO : FAIRMESH_JOIN_KIND_GROUPS;
-    options.join.loops.data = both;
-    options.join.loops.count = 2;
+    options.join.loops = indices_of(both, 2);
     if (passed(s, fairmesh_fill_holes(&ball.mesh, &options, &s->options, &result, &error), &error)) {
         OK(fairmesh_result_free(result));
     }
@@ -165,12 +161,11 @@ static void bridge(Scene *s) {
     fairmesh_error error;
     fairmesh_result *result = NULL;
     fairmesh_bridge_options how;
-    fairmesh_indices from, to;
+    fairmesh_indices to;
+    ZERO(fairmesh_indices, from);
     static Ball ball;
     ball_make(&ball);
-    memset(&from, 0, sizeof from);
-    from.data = ends[0];
-    from.count = 2;
+    from = indices_of(ends[0], 2);
     to = from;
     to.data = ends[1];
     OK(fairmesh_bridge_options_init(&how, sizeof how));
@@ -191,10 +186,8 @@ static void suggest(Scene *s) {
 static void erase(Scene *s) {
     fairmesh_error error;
     fairmesh_result *result = NULL;
-    fairmesh_indices faces;
-    memset(&faces, 0, sizeof faces);
-    faces.data = both;
-    faces.count = 2;
+    ZERO(fairmesh_indices, faces);
+    faces = indices_of(both, 2);
     if (passed(s, fairmesh_erase(&s->cap.mesh, &faces, 3, &result, &error), &error)) OK(fairmesh_result_free(result));
     if (passed(s, fairmesh_trim_boundary(&s->cap.mesh, NULL, 3, 0.0, &result, &error), &error)) OK(fairmesh_result_free(result));
     if (passed(s, fairmesh_components(&s->cap.mesh, &result, &error), &error)) OK(fairmesh_result_free(result));
@@ -215,8 +208,7 @@ static void region(Scene *s) {
     asked[2].rings = 2;
     asked[3].kind = FAIRMESH_REGION_KIND_TRIANGLES;
     asked[3].combine = FAIRMESH_COMBINE_REMOVE;
-    asked[3].list.data = both;
-    asked[3].list.count = 2;
+    asked[3].list = indices_of(both, 2);
     asked[4].kind = FAIRMESH_REGION_KIND_PATCH;
     asked[4].combine = FAIRMESH_COMBINE_INTERSECT;
     asked[4].value = 180.0;
@@ -300,7 +292,7 @@ static void every_allocation(Scene *s, void (*work)(Scene *), const char *name, 
 
 static void panics(Scene *s) {
     fairmesh_error error;
-    fairmesh_region_step all;
+    ZERO(fairmesh_region_step, all);
     fairmesh_solver *solver = NULL;
     fairmesh_result *result = NULL;
     fairmesh_points_out out = points_out_of(s->out, s->cap.vertices);
@@ -316,7 +308,6 @@ static void panics(Scene *s) {
     CHECK(fairmesh_solver_positions(solver, &out, &error) == FAIRMESH_STATUS_INTERNAL);
     CHECK(strstr(error.message, "free it") != NULL);
     OK(fairmesh_solver_free(solver));
-    memset(&all, 0, sizeof all);
     result = NULL;
     fairmesh_test_panic(0);
     CHECK(fairmesh_select_region(&s->cap.mesh, &all, 1, &result, &error) == FAIRMESH_STATUS_INTERNAL && result == NULL);

@@ -49,9 +49,8 @@ static void *together(void *counts) {
     double *out = (double *)must(malloc(24 * cap.vertices));
     fairmesh_points_out to = points_out_of(out, cap.vertices);
     fairmesh_scalars_out numbers = scalars_out_of(out, cap.vertices);
-    fairmesh_report report;
+    SIZED(fairmesh_report, report);
     int k, which;
-    report.struct_size = sizeof report;
     for (k = 0; k < ROUNDS; k++) {
         for (which = 0; which < 5; which++) {
             fairmesh_target target = {FAIRMESH_TARGET_KIND_CONSTANT, 0, 0.1 * k};
