@@ -23,55 +23,62 @@ typedef struct {
 
 static const uint32_t both[2] = {0, 1};
 
+/* Of the last call. */
+static fairmesh_error error;
+static fairmesh_result *result;
+
 /* The good and the expected end; anything else is a failure of the test. */
-static int passed(Scene *s, int32_t status, const fairmesh_error *error) {
-    CHECK(error->status == status);
+static int passed(Scene *s, int32_t status) {
+    CHECK(error.status == status);
     if (status == FAIRMESH_STATUS_OK) {
         s->good++;
         return 1;
     }
     if (status != FAIRMESH_STATUS_OUT_OF_MEMORY) {
-        fprintf(stderr, "status %d: %s\n", (int)status, error->message);
+        fprintf(stderr, "status %d: %s\n", (int)status, error.message);
         exit(1);
     }
     s->out_of_memory++;
     return 0;
 }
 
+/* The same with a result, which is freed: whether there was one. */
+static int made(Scene *s, int32_t status) {
+    if (!passed(s, status)) {
+        CHECK(result == NULL);
+        return 0;
+    }
+    OK(fairmesh_result_free(result));
+    result = NULL;
+    return 1;
+}
+
 static void fair_once(Scene *s) {
-    fairmesh_error error;
-    fairmesh_result *result = NULL;
     fairmesh_points_out out = points_out_of(s->out, s->cap.vertices);
     memset(s->out, 0x5a, 24 * s->cap.vertices);
-    if (passed(s, fairmesh_fair(&s->cap.mesh, &s->cap.selection, &s->options, &out, NULL, &result, &error), &error)) {
-        OK(fairmesh_result_free(result));
-    } else {
+    if (!made(s, fairmesh_fair(&s->cap.mesh, &s->cap.selection, &s->options, &out, NULL, &result, &error))) {
         size_t k;
-        CHECK(result == NULL);
         for (k = 0; k < 24 * s->cap.vertices; k++) CHECK(((unsigned char *)s->out)[k] == 0x5a);
     }
 }
 
 static void steps(Scene *s) {
-    fairmesh_error error;
     fairmesh_solver *solver = NULL;
-    fairmesh_result *result = NULL;
     fairmesh_target target = {FAIRMESH_TARGET_KIND_CONSTANT, 0, 1.0};
     fairmesh_points_out out = points_out_of(s->out, s->cap.vertices);
-    if (!passed(s, fairmesh_solver_new(&s->cap.mesh, &s->cap.selection, &s->options, &solver, &error), &error)) {
+    if (!passed(s, fairmesh_solver_new(&s->cap.mesh, &s->cap.selection, &s->options, &solver, &error))) {
         CHECK(solver == NULL);
         return;
     }
-    passed(s, fairmesh_solver_run(solver, 2, NULL, &error), &error);
-    passed(s, fairmesh_solver_set_target(solver, &target, &error), &error);
-    passed(s, fairmesh_solver_run(solver, 100, NULL, &error), &error);
+    passed(s, fairmesh_solver_run(solver, 2, NULL, &error));
+    passed(s, fairmesh_solver_set_target(solver, &target, &error));
+    passed(s, fairmesh_solver_run(solver, 100, NULL, &error));
     OK(fairmesh_solver_positions(solver, &out, &error));
-    if (passed(s, fairmesh_solver_result(solver, &result, &error), &error)) OK(fairmesh_result_free(result));
+    made(s, fairmesh_solver_result(solver, &result, &error));
     OK(fairmesh_solver_free(solver));
 }
 
 static void live(Scene *s) {
-    fairmesh_error error;
     fairmesh_solver *solver = NULL;
     fairmesh_edit edits[2];
     SIZED(fairmesh_frame, frame);
@@ -84,42 +91,32 @@ static void live(Scene *s) {
     edits[1].vertices = indices_of(&fixed, 1);
     edits[1].translation[2] = 1e-3;
     edits[1].falloff = 0.1;
-    if (!passed(s, fairmesh_solver_new(&s->cap.mesh, &s->cap.selection, &s->options, &solver, &error), &error)) return;
-    passed(s, fairmesh_solver_edit(solver, edits, 2, &error), &error);
-    passed(s, fairmesh_solver_update(solver, NULL, &frame, &error), &error);
-    passed(s, fairmesh_solver_edit(solver, edits, 1, &error), &error);
-    passed(s, fairmesh_solver_update(solver, NULL, &frame, &error), &error);
-    passed(s, fairmesh_solver_bulge_range(solver, &range, &error), &error);
-    passed(s, fairmesh_solver_finish(solver, NULL, &error), &error);
+    if (!passed(s, fairmesh_solver_new(&s->cap.mesh, &s->cap.selection, &s->options, &solver, &error))) return;
+    passed(s, fairmesh_solver_edit(solver, edits, 2, &error));
+    passed(s, fairmesh_solver_update(solver, NULL, &frame, &error));
+    passed(s, fairmesh_solver_edit(solver, edits, 1, &error));
+    passed(s, fairmesh_solver_update(solver, NULL, &frame, &error));
+    passed(s, fairmesh_solver_bulge_range(solver, &range, &error));
+    passed(s, fairmesh_solver_finish(solver, NULL, &error));
     OK(fairmesh_solver_free(solver));
 }
 
 static void loops(Scene *s) {
-    fairmesh_error error;
-    fairmesh_result *result = NULL;
-    if (passed(s, fairmesh_boundary_loops(&s->cap.mesh, &result, &error), &error)) OK(fairmesh_result_free(result));
+    made(s, fairmesh_boundary_loops(&s->cap.mesh, &result, &error));
 }
 
 static void roughness(Scene *s) {
-    fairmesh_error error;
-    fairmesh_result *result = NULL;
-    if (passed(s, fairmesh_rim_roughness(&s->cap.mesh, &result, &error), &error)) OK(fairmesh_result_free(result));
+    made(s, fairmesh_rim_roughness(&s->cap.mesh, &result, &error));
 }
 
 static void remesh(Scene *s) {
-    fairmesh_error error;
-    fairmesh_result *result = NULL;
     fairmesh_remesh_options options;
     OK(fairmesh_remesh_options_init(&options, sizeof options));
     options.density *= 2.0;
-    if (passed(s, fairmesh_remesh(&s->cap.mesh, &s->cap.selection, &options, &result, &error), &error)) {
-        OK(fairmesh_result_free(result));
-    }
+    made(s, fairmesh_remesh(&s->cap.mesh, &s->cap.selection, &options, &result, &error));
 }
 
 static void fill(Scene *s) {
-    fairmesh_error error;
-    fairmesh_result *result = NULL;
     fairmesh_fill_options options;
     fairmesh_mesh mesh = s->cap.mesh;
     uint32_t *holed = (uint32_t *)must(malloc(12 * s->cap.triangles));
@@ -134,68 +131,47 @@ static void fill(Scene *s) {
     mesh.triangles.count = kept;
     OK(fairmesh_fill_options_init(&options, sizeof options));
     options.relax_rim = s->relaxes ? 3 : 0;
-    if (passed(s, fairmesh_fill_holes(&mesh, &options, &s->options, &result, &error), &error)) {
-        OK(fairmesh_result_free(result));
-    }
+    made(s, fairmesh_fill_holes(&mesh, &options, &s->options, &result, &error));
     free(holed);
 }
 
 /* Both caps of a sphere, joined. */
 static void join(Scene *s) {
-    fairmesh_error error;
-    fairmesh_result *result = NULL;
     fairmesh_fill_options options;
     static Ball ball;
     ball_make(&ball);
     OK(fairmesh_fill_options_init(&options, sizeof options));
     options.join.kind = s->joins_itself ? FAIRMESH_JOIN_KIND_AUTO : FAIRMESH_JOIN_KIND_GROUPS;
     options.join.loops = indices_of(both, 2);
-    if (passed(s, fairmesh_fill_holes(&ball.mesh, &options, &s->options, &result, &error), &error)) {
-        OK(fairmesh_result_free(result));
-    }
+    made(s, fairmesh_fill_holes(&ball.mesh, &options, &s->options, &result, &error));
 }
 
 static void bridge(Scene *s) {
     static const uint32_t ends[2][2] = {{BALL_CAP - BALL_ROUND, BALL_CAP - BALL_ROUND + 1},
                                         {BALL_VERTICES - BALL_ROUND, BALL_VERTICES - BALL_ROUND + 1}};
-    fairmesh_error error;
-    fairmesh_result *result = NULL;
     fairmesh_bridge_options how;
-    fairmesh_indices to;
-    ZERO(fairmesh_indices, from);
+    const fairmesh_indices from = indices_of(ends[0], 2), to = indices_of(ends[1], 2);
     static Ball ball;
     ball_make(&ball);
-    from = indices_of(ends[0], 2);
-    to = from;
-    to.data = ends[1];
     OK(fairmesh_bridge_options_init(&how, sizeof how));
     how.fill = 1;
-    if (passed(s, fairmesh_bridge(&ball.mesh, &from, &to, &how, NULL, &s->options, &result, &error), &error)) {
-        OK(fairmesh_result_free(result));
-    }
+    made(s, fairmesh_bridge(&ball.mesh, &from, &to, &how, NULL, &s->options, &result, &error));
 }
 
 static void suggest(Scene *s) {
-    fairmesh_error error;
-    fairmesh_result *result = NULL;
     static Ball ball;
     ball_make(&ball);
-    if (passed(s, fairmesh_suggest_joins(&ball.mesh, NULL, &result, &error), &error)) OK(fairmesh_result_free(result));
+    made(s, fairmesh_suggest_joins(&ball.mesh, NULL, &result, &error));
 }
 
 static void erase(Scene *s) {
-    fairmesh_error error;
-    fairmesh_result *result = NULL;
-    ZERO(fairmesh_indices, faces);
-    faces = indices_of(both, 2);
-    if (passed(s, fairmesh_erase(&s->cap.mesh, &faces, 3, &result, &error), &error)) OK(fairmesh_result_free(result));
-    if (passed(s, fairmesh_trim_boundary(&s->cap.mesh, NULL, 3, 0.0, &result, &error), &error)) OK(fairmesh_result_free(result));
-    if (passed(s, fairmesh_components(&s->cap.mesh, &result, &error), &error)) OK(fairmesh_result_free(result));
+    const fairmesh_indices faces = indices_of(both, 2);
+    made(s, fairmesh_erase(&s->cap.mesh, &faces, 3, &result, &error));
+    made(s, fairmesh_trim_boundary(&s->cap.mesh, NULL, 3, 0.0, &result, &error));
+    made(s, fairmesh_components(&s->cap.mesh, &result, &error));
 }
 
 static void region(Scene *s) {
-    fairmesh_error error;
-    fairmesh_result *result = NULL;
     fairmesh_region_step asked[6];
     int32_t status;
     memset(asked, 0, sizeof asked);
@@ -212,42 +188,31 @@ static void region(Scene *s) {
     asked[4].kind = FAIRMESH_REGION_KIND_PATCH;
     asked[4].combine = FAIRMESH_COMBINE_INTERSECT;
     asked[4].value = 180.0;
-    if (passed(s, fairmesh_select_region(&s->cap.mesh, asked, 5, &result, &error), &error)) OK(fairmesh_result_free(result));
+    made(s, fairmesh_select_region(&s->cap.mesh, asked, 5, &result, &error));
     /* Curvature is looked at, whether or not there is a bump. */
     asked[5].kind = FAIRMESH_REGION_KIND_BUMP;
     asked[5].point[2] = 1.0;
     status = fairmesh_select_region(&s->cap.mesh, asked, 6, &result, &error);
     if (status == FAIRMESH_STATUS_NO_BUMP) return;
-    if (passed(s, status, &error)) OK(fairmesh_result_free(result));
+    made(s, status);
 }
 
 static void refill(Scene *s) {
-    fairmesh_error error;
-    fairmesh_result *result = NULL;
-    if (passed(s, fairmesh_refill(&s->cap.mesh, &s->cap.selection, NULL, &s->options, &result, &error), &error)) {
-        OK(fairmesh_result_free(result));
-    }
+    made(s, fairmesh_refill(&s->cap.mesh, &s->cap.selection, NULL, &s->options, &result, &error));
 }
 
 static void carry(Scene *s) {
-    fairmesh_error error;
-    fairmesh_result *result = NULL;
     fairmesh_points points = points_of(s->kept, s->cap.vertices);
-    if (passed(s, fairmesh_carry_over(&s->cap.mesh, NULL, &points, &result, &error), &error)) OK(fairmesh_result_free(result));
+    made(s, fairmesh_carry_over(&s->cap.mesh, NULL, &points, &result, &error));
 }
 
 static void curvature(Scene *s) {
-    fairmesh_error error;
     fairmesh_scalars_out out = scalars_out_of(s->out, s->cap.vertices);
-    passed(s, fairmesh_mean_curvature(&s->cap.mesh, &out, &error), &error);
+    passed(s, fairmesh_mean_curvature(&s->cap.mesh, &out, &error));
 }
 
 static void intersections(Scene *s) {
-    fairmesh_error error;
-    fairmesh_result *result = NULL;
-    if (passed(s, fairmesh_self_intersections(&s->cap.mesh, NULL, &result, &error), &error)) {
-        OK(fairmesh_result_free(result));
-    }
+    made(s, fairmesh_self_intersections(&s->cap.mesh, NULL, &result, &error));
 }
 
 static double seconds(void) {
@@ -291,10 +256,9 @@ static void every_allocation(Scene *s, void (*work)(Scene *), const char *name, 
 }
 
 static void panics(Scene *s) {
-    fairmesh_error error;
     ZERO(fairmesh_region_step, all);
+    SIZED(fairmesh_info, info);
     fairmesh_solver *solver = NULL;
-    fairmesh_result *result = NULL;
     fairmesh_points_out out = points_out_of(s->out, s->cap.vertices);
     memset(s->out, 0x5a, 24 * s->cap.vertices);
     fairmesh_test_panic(0);
@@ -308,18 +272,14 @@ static void panics(Scene *s) {
     CHECK(fairmesh_solver_positions(solver, &out, &error) == FAIRMESH_STATUS_INTERNAL);
     CHECK(strstr(error.message, "free it") != NULL);
     OK(fairmesh_solver_free(solver));
-    result = NULL;
     fairmesh_test_panic(0);
     CHECK(fairmesh_select_region(&s->cap.mesh, &all, 1, &result, &error) == FAIRMESH_STATUS_INTERNAL && result == NULL);
     OK(fairmesh_boundary_loops(&s->cap.mesh, &result, &error));
     fairmesh_test_panic(0);
-    {
-        fairmesh_info info;
-        info.struct_size = sizeof info;
-        CHECK(fairmesh_result_info(result, &info, &error) == FAIRMESH_STATUS_INTERNAL);
-        OK(fairmesh_result_info(result, &info, &error));
-    }
+    CHECK(fairmesh_result_info(result, &info, &error) == FAIRMESH_STATUS_INTERNAL);
+    OK(fairmesh_result_info(result, &info, &error));
     OK(fairmesh_result_free(result));
+    result = NULL;
 }
 
 int main(int count, char **arguments) {
