@@ -1820,7 +1820,7 @@ typedef struct fairmesh_fill_options {
      */
     struct fairmesh_indices guides;
     /**
-     * How dense the new vertices are, Liepa's factor as in CGAL: at the default, the square root of 2, edges are as long as those of the mesh beside the boundary; at twice that, half as long. Between 0.1 and 10.
+     * How dense the new vertices are, Liepa's factor as in CGAL: at the default, the square root of 2, edges are as long as those of the mesh beside the boundary; at twice that, half as long, away from the boundary, whose edges stay. Between 0.1 and 10.
      */
     double density;
     /**
@@ -1880,7 +1880,7 @@ typedef struct fairmesh_remesh_options {
      */
     uint32_t reserved;
     /**
-     * How dense the vertices are, as in hole filling: at the default, the square root of 2, edges are as long as those beside the region. Between 0.1 and 10.
+     * How dense the vertices are, as in hole filling: at the default, the square root of 2, edges are as long as those beside the region; at twice that, half as long, away from the boundary, whose edges stay. Between 0.1 and 10.
      */
     double density;
     /**

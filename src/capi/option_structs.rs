@@ -183,7 +183,7 @@ pub struct fairmesh_fill_options {
     pub join: fairmesh_join,
     /// Pairs of vertices of the boundary that the triangulation shall have an edge between, before it is refined. On one loop a guide divides what is triangulated, as across a long tear; between two loops that are joined it is where their patch is cut open. No vertex is in two of them. The patch is faired as a whole: it has no crease there. Default: none. Two indices side by side.
     pub guides: fairmesh_indices,
-    /// How dense the new vertices are, Liepa's factor as in CGAL: at the default, the square root of 2, edges are as long as those of the mesh beside the boundary; at twice that, half as long. Between 0.1 and 10.
+    /// How dense the new vertices are, Liepa's factor as in CGAL: at the default, the square root of 2, edges are as long as those of the mesh beside the boundary; at twice that, half as long, away from the boundary, whose edges stay. Between 0.1 and 10.
     pub density: f64,
     /// At most this many new vertices in all. Where they do not suffice, patches become coarser away from their boundaries. Smaller loops are served first. Default 200000. No loop of n edges gets more than 1000 + n^2 of them, times the square of a density above 1: a round hole takes a tenth.
     pub max_new_vertices: u64,
@@ -323,7 +323,7 @@ pub struct fairmesh_remesh_options {
     pub struct_size: u32,
     /// Zero.
     pub reserved: u32,
-    /// How dense the vertices are, as in hole filling: at the default, the square root of 2, edges are as long as those beside the region. Between 0.1 and 10.
+    /// How dense the vertices are, as in hole filling: at the default, the square root of 2, edges are as long as those beside the region; at twice that, half as long, away from the boundary, whose edges stay. Between 0.1 and 10.
     pub density: f64,
     /// At most this many vertices inside the region. Default 200000.
     pub max_vertices: u64,

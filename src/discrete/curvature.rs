@@ -101,6 +101,7 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
     /// positive semidefinite matrix plus a diagonal one is less than its entry in the latter, and rounding may not
     /// make it so: the factor is there for any samples, as long as the ridge is positive beyond the constant function.
     #[inline(always)]
+    #[expect(clippy::needless_range_loop, reason = "`c` is a column of one row and a row")]
     pub(crate) fn factor(&self, ridge: &[Simd<L>; N]) -> [[Simd<L>; N]; N] {
         let mut m = self.matrix;
         unrolled!(j in (0..N) => {

@@ -162,7 +162,8 @@ options! {
         /// open. No vertex is in two of them. The patch is faired as a whole: it has no crease there. Default: none.
         guides: Vec<[u32; 2]> = Vec::new(), indices 2;
         /// How dense the new vertices are, Liepa's factor as in CGAL: at the default, the square root of 2, edges are as
-        /// long as those of the mesh beside the boundary; at twice that, half as long. Between 0.1 and 10.
+        /// long as those of the mesh beside the boundary; at twice that, half as long, away from the boundary, whose edges
+        /// stay. Between 0.1 and 10.
         density: f64 = std::f64::consts::SQRT_2, real "1" in 0.1..=10.0, "between 0.1 and 10";
         /// At most this many new vertices in all. Where they do not suffice, patches become coarser away from their boundaries.
         /// Smaller loops are served first. Default 200000. No loop of n edges gets more than 1000 + n^2 of them, times the

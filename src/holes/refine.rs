@@ -9,7 +9,7 @@ use std::collections::BinaryHeap;
 use nalgebra::Vector3;
 
 use super::lenses::{Lenses, is_wide};
-use super::patch::Patch;
+use super::patch::{GRADE, Patch};
 use super::relax::{Sweeps, turns_over};
 use crate::mesh::NONE;
 use crate::mesh::disjoint_sets::DisjointSets;
@@ -149,10 +149,13 @@ impl<'a> Refiner<'a> {
         }
     }
 
-    /// The wanted edge length at a vertex.
+    /// The wanted edge length at a vertex. Where it is shorter than the boundary's edges, which stay as they are, it gets so by
+    /// [`GRADE`]: vertices would gather along them.
     fn wanted(&self, v: u32) -> f64 {
         let (v, f) = (v as usize, &self.fineness);
-        (f.factor * self.patch.size[v] + f.growth * self.patch.depth[v]).min(self.patch.limit[v])
+        let (size, depth) = (self.patch.size[v], self.patch.depth[v]);
+        let inside = (f.factor * size + f.growth * depth).max(size - GRADE * depth);
+        inside.min(self.patch.limit[v])
     }
 
     /// Length over the wanted one.

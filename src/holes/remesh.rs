@@ -18,7 +18,7 @@ options! {
     #[derive(Debug, Clone, Copy, PartialEq)]
     RemeshOptions {
         /// How dense the vertices are, as in hole filling: at the default, the square root of 2, edges are as long as those beside the
-        /// region. Between 0.1 and 10.
+        /// region; at twice that, half as long, away from the boundary, whose edges stay. Between 0.1 and 10.
         density: f64 = std::f64::consts::SQRT_2, real "1" in 0.1..=10.0, "between 0.1 and 10";
         /// At most this many vertices inside the region. Default 200000.
         max_vertices: usize = 200_000, count "vertices";

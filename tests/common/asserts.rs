@@ -1,16 +1,17 @@
 //! Assertions that say what was found, beside what was asked.
 #![allow(dead_code, unused_macros, reason = "each program of tests uses some")]
 
-/// Compares two values by an operator.
+/// Compares two values by an operator, perhaps with what they are of.
 macro_rules! assert_compared {
-    ($left:expr, $operator:tt, $right:expr) => {
+    ($left:expr, $operator:tt, $right:expr $(, $of:literal)?) => {
         match (&$left, &$right) {
             (left, right) => assert!(
                 *left $operator *right,
-                "`{} {} {}` does not hold\n  left: {left:?}\n right: {right:?}",
+                "`{} {} {}` does not hold{}\n  left: {left:?}\n right: {right:?}",
                 stringify!($left),
                 stringify!($operator),
-                stringify!($right)
+                stringify!($right),
+                String::new() $(+ ": " + &format!($of))?
             ),
         }
     };
@@ -18,29 +19,29 @@ macro_rules! assert_compared {
 
 /// `a < b`
 macro_rules! assert_below {
-    ($left:expr, $right:expr $(,)?) => {
-        assert_compared!($left, <, $right)
+    ($left:expr, $right:expr $(, $of:literal)? $(,)?) => {
+        assert_compared!($left, <, $right $(, $of)?)
     };
 }
 
 /// `a <= b`
 macro_rules! assert_at_most {
-    ($left:expr, $right:expr $(,)?) => {
-        assert_compared!($left, <=, $right)
+    ($left:expr, $right:expr $(, $of:literal)? $(,)?) => {
+        assert_compared!($left, <=, $right $(, $of)?)
     };
 }
 
 /// `a > b`
 macro_rules! assert_above {
-    ($left:expr, $right:expr $(,)?) => {
-        assert_compared!($left, >, $right)
+    ($left:expr, $right:expr $(, $of:literal)? $(,)?) => {
+        assert_compared!($left, >, $right $(, $of)?)
     };
 }
 
 /// `a >= b`
 macro_rules! assert_at_least {
-    ($left:expr, $right:expr $(,)?) => {
-        assert_compared!($left, >=, $right)
+    ($left:expr, $right:expr $(, $of:literal)? $(,)?) => {
+        assert_compared!($left, >=, $right $(, $of)?)
     };
 }
 

@@ -17,6 +17,7 @@ mod coincident;
 mod components;
 mod continuity;
 mod continuity_loops;
+mod density;
 mod golden;
 mod guides;
 mod hole_retries;
