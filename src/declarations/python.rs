@@ -298,15 +298,8 @@ fn function(made: &mut String, item: &Item) {
             FnArg::Receiver(_) => panic!("C has no receivers"),
         })
         .collect();
-    let _ = match parameters.as_slice() {
-        [] => writeln!(made, "    \"{name}\": ({result}, ()),"),
-        [one] => writeln!(made, "    \"{name}\": ({result}, ({one},)),"),
-        more => writeln!(
-            made,
-            "    \"{name}\": (\n        {result},\n        (\n            {},\n        ),\n    ),",
-            more.join(",\n            ")
-        ),
-    };
+    let parameters: String = parameters.iter().map(|of| format!("{of}, ")).collect();
+    let _ = writeln!(made, "    \"{name}\": ({result}, ({parameters})),");
 }
 
 fn parameter_type(of: &Type) -> String {

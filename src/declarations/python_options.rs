@@ -155,24 +155,24 @@ fn field(entry: &OptionEntry) -> Field {
         OptionDefault::Name(name) => format!("\"{name}\""),
         OptionDefault::Nothing => "None".to_owned(),
     };
-    let form = FORMS.iter().find(|form| form[0] == entry.name);
-    match form {
-        None => Field {
-            name: entry.name,
-            kind: entry.kind,
+    let (name, kind) = (entry.name, entry.kind);
+    let Some([_, of, default, said]) = FORMS.iter().find(|form| form[0] == name) else {
+        return Field {
+            name,
+            kind,
             of,
             default,
             text,
             how,
-        },
-        Some([name, of, default, said]) => Field {
-            name,
-            kind: entry.kind,
-            of: (*of).to_owned(),
-            default: (*default).to_owned(),
-            text: format!("{text} {said}"),
-            how: if how == "real" { "form".to_owned() } else { how },
-        },
+        };
+    };
+    Field {
+        name,
+        kind,
+        of: (*of).to_owned(),
+        default: (*default).to_owned(),
+        text: format!("{text} {said}"),
+        how: how.replace("real", "form"),
     }
 }
 
