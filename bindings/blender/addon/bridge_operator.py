@@ -18,7 +18,6 @@ class MESH_OT_fairmesh_bridge(Background, filling.Filling, BridgeOptions, bpy.ty
         "Connect two selected runs of boundary edges by a strip that goes on smoothly from both: across a hole, which is "
         "divided, or between two parts"
     )
-    bl_options = {"REGISTER", "UNDO"}
 
     def draw_options(self, layout):
         self.draw_bridge(layout)

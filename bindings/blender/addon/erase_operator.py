@@ -20,7 +20,6 @@ class MESH_OT_fairmesh_erase_and_fill(
         "Delete the selected faces, and close the holes with new triangles on a surface that goes on smoothly: "
         "for bumps, noise and tangles whose old shape is of no use"
     )
-    bl_options = {"REGISTER", "UNDO"}
 
     def draw_options(self, layout):
         self.draw_outer(layout)

@@ -35,7 +35,6 @@ class MESH_OT_fairmesh_fair(Background, RegionOptions, FairingOptions, bpy.types
         "Replace the selected region by the smoothest surface that meets its surroundings tangentially. "
         "In face select mode the vertices inside the selected faces move, otherwise the selected vertices"
     )
-    bl_options = {"REGISTER", "UNDO"}
 
     def draw_options(self, layout):
         self.draw_region(layout)

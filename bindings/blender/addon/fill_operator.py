@@ -20,7 +20,6 @@ class MESH_OT_fairmesh_fill_holes(
         "Close holes with new triangles as large as those around them, on a surface that goes on smoothly: "
         "holes all of whose edges are selected; if there is none, holes with a selected edge or vertex"
     )
-    bl_options = {"REGISTER", "UNDO"}
 
     scope: selection(
         "Holes",
@@ -46,9 +45,7 @@ class MESH_OT_fairmesh_fill_holes(
         if not chosen:
             self.report({"ERROR"}, self._nothing(meshes))
             return None
-        if self.guides and not filling.guide(self, chosen):
-            return None
-        return self.work_on(chosen)
+        return self.work_on(chosen) if filling.guide(self, chosen) else None
 
     def _holes(self, obj):
         holes = filling.read(obj)

@@ -164,7 +164,9 @@ def trimmed(holes, chosen, most, area):
 
 
 def guide(operator, chosen):
-    """Sets the guides to the pairs of vertices that are selected, and returns whether there are any; reports if not."""
+    """Sets the guides, if the operator is to have any, to the pairs of vertices that are selected; False: it found none."""
+    if not operator.guides:
+        return True
     why = ""
     for holes in chosen:
         holes.guides, why_not = pairs.of(holes.mesh)

@@ -102,6 +102,8 @@ class Background:
     `draw_options(layout)`.
     """
 
+    bl_options = {"REGISTER", "UNDO"}
+
     @classmethod
     def poll(cls, context):
         return context.mode == "EDIT_MESH"

@@ -19,7 +19,6 @@ class MESH_OT_fairmesh_join_loops(
         "Close the gap between the selected boundary loops with one surface that goes on smoothly from all of them: "
         "ends of tubes, the sides of a gap, a hole and the island in it"
     )
-    bl_options = {"REGISTER", "UNDO"}
 
     def draw_options(self, layout):
         self.draw_groups(layout)
@@ -36,9 +35,7 @@ class MESH_OT_fairmesh_join_loops(
         if not chosen:
             self.report({"ERROR"}, self._nothing(meshes))
             return None
-        if self.guides and not filling.guide(self, chosen):
-            return None
-        return self.work_on(chosen)
+        return self.work_on(chosen) if filling.guide(self, chosen) else None
 
     def _choose(self, holes):
         """Sets which loops are joined; none: an empty list."""

@@ -32,7 +32,6 @@ class MESH_OT_fairmesh_live(Background, RegionOptions, FairingOptions, bpy.types
         "Fair the selected region, and drag at its boundary loops how the surface leaves them: tilt, twist, bulge "
         "or move, while the surface follows"
     )
-    bl_options = {"REGISTER", "UNDO"}
 
     edits: CollectionProperty(
         name="Edits",

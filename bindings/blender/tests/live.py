@@ -16,10 +16,8 @@ import bpy  # isort: skip
 import common
 import numpy as np
 import window
-from bpy_extras import view3d_utils
 from common import part
-from mathutils import Vector
-from window import button, call, move, picture, press, view, wait_until
+from window import button, call, move, on_screen, picture, press, view, wait_until
 
 
 def middle():
@@ -93,18 +91,6 @@ def flags(obj):
 
 def angle():
     return math.degrees(state().current.angle)
-
-
-def on_screen(obj, vertex):
-    """Where a vertex of the mesh is seen in the window."""
-    return on_screen_at(obj, common.coordinates(obj)[vertex])
-
-
-def on_screen_at(obj, point):
-    region = view()["region"]
-    place = obj.matrix_world @ Vector(point)
-    at = view3d_utils.location_3d_to_region_2d(region, view()["area"].spaces.active.region_3d, place)
-    return at.x + region.x, at.y + region.y
 
 
 def steps():
@@ -310,10 +296,11 @@ def tool():
         part("snapshot").read(obj), part("region").free_mask(part("snapshot").read(obj), True)
     )
     assert sorted(len(loop.vertices) for loop in found) == [64, 64]
-    seen = [min(loop.vertices.tolist(), key=lambda v: on_screen(obj, v)[1]) for loop in found]
+    places = common.coordinates(obj)
+    seen = [min(loop.vertices.tolist(), key=lambda v: on_screen(obj, places[v])[1]) for loop in found]
     yield from on_an_arrow(obj, found)
     for number, vertex in enumerate(seen):
-        x, y = on_screen(obj, vertex)
+        x, y = on_screen(obj, common.coordinates(obj)[vertex])
         move(x + 8, y - 25)
         yield 0.3
         button("PRESS", x + 8, y - 25)
@@ -348,8 +335,8 @@ def on_an_arrow(obj, found):
     """A drag of the handle that is there before: at its loop, wherever the pointer is nearest to another one."""
     vertex = int(found[1].vertices[0])
     normal = common.coordinates(obj)[vertex]
-    x, y = on_screen(obj, vertex)
-    dx, dy = np.array(on_screen_at(obj, normal * 1.2)) - (x, y)
+    x, y = on_screen(obj, normal)
+    dx, dy = np.array(on_screen(obj, normal * 1.2)) - (x, y)
     share = 45 / math.hypot(dx, dy)
     move(x + share * dx, y + share * dy)
     yield 0.7

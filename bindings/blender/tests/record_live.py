@@ -9,10 +9,9 @@ import bpy  # isort: skip
 import common
 import numpy as np
 import window
-from bpy_extras import view3d_utils
 from common import part
-from mathutils import Euler, Vector
-from window import button, call, move, picture, press, view, wait_until
+from mathutils import Euler
+from window import button, call, move, on_screen, picture, press, view, wait_until
 
 # Pictures of a drag, and how far it goes, in pixels.
 STEPS, FAR = 11, 110
@@ -38,13 +37,6 @@ def scene():
     space.region_3d.view_location = (0, 0, 0.3)
     space.region_3d.view_distance = 5.2
     return obj
-
-
-def seen(obj, vertex):
-    region = view()["region"]
-    place = obj.matrix_world @ Vector(common.coordinates(obj)[vertex])
-    at = view3d_utils.location_3d_to_region_2d(region, view()["area"].spaces.active.region_3d, place)
-    return at.x + region.x, at.y + region.y
 
 
 class Camera:
@@ -82,7 +74,7 @@ def steps():
         side = (-1, 0, 0) if name == "left" else (0, 0, 1)
         loop = max(loops, key=lambda each: common.coordinates(obj)[each.vertices].mean(axis=0) @ side)
         vertex = max(loop.vertices, key=lambda v: common.coordinates(obj)[v] @ (-0.3, -0.9, 0.4))
-        x, y = seen(obj, vertex)
+        x, y = on_screen(obj, common.coordinates(obj)[vertex])
         move(x, y)
         yield 0.5
         button("PRESS", x, y)

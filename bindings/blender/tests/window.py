@@ -12,6 +12,8 @@ from pathlib import Path
 
 import bpy  # isort: skip
 import common
+from bpy_extras import view3d_utils
+from mathutils import Vector
 
 ZIP, FOLDER = sys.argv[sys.argv.index("--") + 1 :]
 # Blender ends a modal operator's timer loop between two of these.
@@ -29,6 +31,14 @@ def view():
 def call(operator, *arguments, **keywords):
     with bpy.context.temp_override(**view()):
         return operator(*arguments, **keywords)
+
+
+def on_screen(obj, point):
+    """Where a point of an object is seen in the window."""
+    region = view()["region"]
+    place = obj.matrix_world @ Vector(point)
+    at = view3d_utils.location_3d_to_region_2d(region, view()["area"].spaces.active.region_3d, place)
+    return at.x + region.x, at.y + region.y
 
 
 def picture(name):
