@@ -1,6 +1,6 @@
 //! What is changed of a solver's boundary: the structs, and how they become the library's.
 
-use super::choices::{choose, count};
+use super::choices::{choice, choice_of, count};
 use super::status::{CallResult, fairmesh_element};
 use super::types::*;
 use super::views::*;
@@ -20,6 +20,8 @@ pub enum fairmesh_edit_kind {
     /// Moves the fixed vertices of `vertices` rigidly; their normals follow, given or fitted.
     Move = 4,
 }
+
+choice_of!(fairmesh_edit_kind: Tilt Twist Bulge Move);
 
 /// A change of what is asked at the boundary. Set it to zero first; what its kind does not need is not read. It never grows.
 #[repr(C)]
@@ -106,7 +108,7 @@ pub(crate) fn edits(
     call.end(Argument(4))?;
     let mut checked = try_with_capacity(count)?;
     for k in 0..count {
-        let place = Argument(2).field(k.wrapping_mul(size_of::<fairmesh_edit>()), "edits");
+        let place = Argument(2).element::<fairmesh_edit>(k, "edits");
         let edit = EditIn::new(read(edits.wrapping_add(k)), place)?;
         call.late_input(edit.vertices.data, edit.vertices.bytes)?;
         checked.push(edit);
@@ -121,13 +123,7 @@ pub(crate) fn edits(
 impl EditIn {
     fn new(view: fairmesh_edit, place: FieldPath) -> CallResult<Self> {
         use fairmesh_edit_kind as Kind;
-        let kind = choose(
-            [Kind::Tilt, Kind::Twist, Kind::Bulge, Kind::Move],
-            |kind| *kind as u32,
-            view.kind,
-            "fairmesh_edit_kind",
-            field!(place, fairmesh_edit.kind),
-        )?;
+        let kind = choice(view.kind, field!(place, fairmesh_edit.kind))?;
         let listed = if kind == Kind::Move {
             &view.vertices
         } else {

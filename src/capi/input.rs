@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::choices::choose;
+use super::choices::{choice, choose};
 use super::status::{CallResult, Failure, fairmesh_element, fairmesh_status as Status};
 use super::types::*;
 use super::views::{
@@ -100,19 +100,7 @@ impl SelectionIn {
             });
         }
         let view = call.read_struct(selection, argument)?;
-        let kind = choose(
-            [
-                Kind::Interior,
-                Kind::FreeMask,
-                Kind::FixedMask,
-                Kind::FreeVertices,
-                Kind::Faces,
-            ],
-            |kind| *kind as u32,
-            view.kind,
-            "fairmesh_selection_kind",
-            field!(argument, fairmesh_selection.kind),
-        )?;
+        let kind = choice(view.kind, field!(argument, fairmesh_selection.kind))?;
         let place = field!(argument, fairmesh_selection.count);
         let array = match kind {
             Kind::Interior => {
@@ -293,13 +281,7 @@ impl NormalsIn {
     ) -> CallResult<Self> {
         use fairmesh_boundary_normals_kind as Kind;
         check_reserved(view.reserved, field!(base, fairmesh_boundary_normals.reserved))?;
-        let kind = choose(
-            [Kind::Fitted, Kind::Averaged, Kind::Given],
-            |kind| *kind as u32,
-            view.kind,
-            "fairmesh_boundary_normals_kind",
-            field!(base, fairmesh_boundary_normals.kind),
-        )?;
+        let kind = choice(view.kind, field!(base, fairmesh_boundary_normals.kind))?;
         let list = indices_in(
             &view.vertices,
             1,
@@ -347,13 +329,7 @@ impl CurvatureIn {
             1,
             field!(base, fairmesh_boundary_curvature.vertices),
         )?;
-        let kind = choose(
-            [Kind::Estimated, Kind::Given],
-            |kind| *kind as u32,
-            view.kind,
-            "fairmesh_boundary_curvature_kind",
-            field!(base, fairmesh_boundary_curvature.kind),
-        )?;
+        let kind: Kind = choice(view.kind, field!(base, fairmesh_boundary_curvature.kind))?;
         if kind == Kind::Estimated {
             return Ok(Self(None));
         }

@@ -1,6 +1,5 @@
 //! The options of the C interface. Made of the library's schemas by src/declarations: do not edit.
 
-use core::mem::offset_of;
 use std::ffi::c_void;
 
 use super::callback::fairmesh_progress_fn;
@@ -8,7 +7,7 @@ use super::choices::{chosen, count};
 use super::loop_choice::{fairmesh_join, fairmesh_loop_filter};
 use super::status::CallResult;
 use super::types::*;
-use super::views::{Argument, Array, FieldPath, indices_in};
+use super::views::{Argument, Array, FieldPath, field, field_named, indices_in};
 use fairmesh::{
     BridgeOptions, Discretization, FillOptions, InnerFairness, InteriorNormals, Intersections, OnFailure, Options, OutputPrecision,
     PaperOptions, RemeshOptions, Rim,
@@ -104,48 +103,21 @@ impl fairmesh_options {
 
     /// Where an option is in this argument.
     pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
-        let (at, name) = match option {
-            "interior_normals" => (offset_of!(Self, interior_normals), "interior_normals"),
-            "inner_fairness" => (offset_of!(Self, inner_fairness), "inner_fairness"),
-            "discretization" => (offset_of!(Self, discretization), "discretization"),
-            "solver" => (offset_of!(Self, solver), "solver"),
-            "output_precision" => (offset_of!(Self, output_precision), "output_precision"),
-            "threads" => (offset_of!(Self, threads), "threads"),
-            "intersections" => (offset_of!(Self, intersections), "intersections"),
-            "paper_estimate" => (offset_of!(Self, paper_estimate), "paper_estimate"),
-            "paper_estimate_iterations" => (offset_of!(Self, paper_estimate_iterations), "paper_estimate_iterations"),
-            "boundary_normals" => (offset_of!(Self, boundary_normals), "boundary_normals"),
-            "continuity" => (offset_of!(Self, continuity), "continuity"),
-            "loop_continuity" => (offset_of!(Self, loop_continuity), "loop_continuity"),
-            "boundary_curvature" => (offset_of!(Self, boundary_curvature), "boundary_curvature"),
-            "target" => (offset_of!(Self, target), "target"),
-            "tolerance" => (offset_of!(Self, tolerance), "tolerance"),
-            "max_iterations" => (offset_of!(Self, max_iterations), "max_iterations"),
-            "paper_damping" => (offset_of!(Self, paper_damping), "paper_damping"),
-            "paper_levels" => (offset_of!(Self, paper_levels), "paper_levels"),
-            "paper_base" => (offset_of!(Self, paper_base), "paper_base"),
-            "paper_defect" => (offset_of!(Self, paper_defect), "paper_defect"),
-            "paper_laplacian" => (offset_of!(Self, paper_laplacian), "paper_laplacian"),
-            "paper_max_updates" => (offset_of!(Self, paper_max_updates), "paper_max_updates"),
-            "progress" => (offset_of!(Self, progress), "progress"),
-            "user_data" => (offset_of!(Self, user_data), "user_data"),
-            _ => return None,
-        };
-        Some(argument.field(at, name))
+        field_named!(argument, option, Self: interior_normals inner_fairness discretization solver output_precision threads intersections paper_estimate paper_estimate_iterations boundary_normals continuity loop_continuity boundary_curvature target tolerance max_iterations paper_damping paper_levels paper_base paper_defect paper_laplacian paper_max_updates progress user_data)
     }
 
     /// What needs no arrays and has no values of its own; all else as it is by default.
     pub(crate) fn read_options(&self, argument: Argument) -> CallResult<Options> {
         Ok(Options {
-            interior_normals: chosen(InteriorNormals::from_number(self.interior_normals), self.interior_normals, "fairmesh_interior_normals", argument.field(offset_of!(Self, interior_normals), "interior_normals"))?,
+            interior_normals: chosen(InteriorNormals::from_number(self.interior_normals), self.interior_normals, "fairmesh_interior_normals", field!(argument, Self.interior_normals))?,
             continuity: self.continuity,
-            inner_fairness: chosen(InnerFairness::from_number(self.inner_fairness), self.inner_fairness, "fairmesh_inner_fairness", argument.field(offset_of!(Self, inner_fairness), "inner_fairness"))?,
-            discretization: chosen(Discretization::from_number(self.discretization), self.discretization, "fairmesh_discretization", argument.field(offset_of!(Self, discretization), "discretization"))?,
+            inner_fairness: chosen(InnerFairness::from_number(self.inner_fairness), self.inner_fairness, "fairmesh_inner_fairness", field!(argument, Self.inner_fairness))?,
+            discretization: chosen(Discretization::from_number(self.discretization), self.discretization, "fairmesh_discretization", field!(argument, Self.discretization))?,
             tolerance: self.tolerance,
             max_iterations: count(self.max_iterations),
-            output_precision: chosen(OutputPrecision::from_number(self.output_precision), self.output_precision, "fairmesh_output_precision", argument.field(offset_of!(Self, output_precision), "output_precision"))?,
+            output_precision: chosen(OutputPrecision::from_number(self.output_precision), self.output_precision, "fairmesh_output_precision", field!(argument, Self.output_precision))?,
             threads: self.threads as usize,
-            intersections: chosen(Intersections::from_number(self.intersections), self.intersections, "fairmesh_intersections", argument.field(offset_of!(Self, intersections), "intersections"))?,
+            intersections: chosen(Intersections::from_number(self.intersections), self.intersections, "fairmesh_intersections", field!(argument, Self.intersections))?,
             ..Options::default()
         })
     }
@@ -221,22 +193,7 @@ impl fairmesh_fill_options {
 
     /// Where an option is in this argument.
     pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
-        let (at, name) = match option {
-            "on_failure" => (offset_of!(Self, on_failure), "on_failure"),
-            "fair" => (offset_of!(Self, fair), "fair"),
-            "only_listed" => (offset_of!(Self, only_listed), "only_listed"),
-            "join" => (offset_of!(Self, join), "join"),
-            "guides" => (offset_of!(Self, guides), "guides"),
-            "density" => (offset_of!(Self, density), "density"),
-            "max_new_vertices" => (offset_of!(Self, max_new_vertices), "max_new_vertices"),
-            "relax_rim" => (offset_of!(Self, relax_rim), "relax_rim"),
-            "relax_within" => (offset_of!(Self, relax_within), "relax_within"),
-            "max_edges" => (offset_of!(Self, max_edges), "max_edges"),
-            "loops" => (offset_of!(Self, loops), "loops"),
-            "filter" => (offset_of!(Self, filter), "filter"),
-            _ => return None,
-        };
-        Some(argument.field(at, name))
+        field_named!(argument, option, Self: on_failure fair only_listed join guides density max_new_vertices relax_rim relax_within max_edges loops filter)
     }
 
     /// What needs no arrays and has no values of its own; all else as it is by default.
@@ -244,7 +201,7 @@ impl fairmesh_fill_options {
         Ok(FillOptions {
             density: self.density,
             max_new_vertices: count(self.max_new_vertices),
-            on_failure: chosen(OnFailure::from_number(self.on_failure), self.on_failure, "fairmesh_on_failure", argument.field(offset_of!(Self, on_failure), "on_failure"))?,
+            on_failure: chosen(OnFailure::from_number(self.on_failure), self.on_failure, "fairmesh_on_failure", field!(argument, Self.on_failure))?,
             fair: self.fair != 0,
             ..FillOptions::default()
         })
@@ -253,7 +210,7 @@ impl fairmesh_fill_options {
     /// The lists of indices, checked and not read.
     pub(crate) fn lists(&self, argument: Argument) -> CallResult<FillOptionsLists> {
         Ok([
-            indices_in(&self.guides, 2, argument.field(offset_of!(Self, guides), "guides"))?,
+            indices_in(&self.guides, 2, field!(argument, Self.guides))?,
         ])
     }
 
@@ -297,12 +254,7 @@ impl fairmesh_bridge_options {
 
     /// Where an option is in this argument.
     pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
-        let (at, name) = match option {
-            "fill" => (offset_of!(Self, fill), "fill"),
-            "width" => (offset_of!(Self, width), "width"),
-            _ => return None,
-        };
-        Some(argument.field(at, name))
+        field_named!(argument, option, Self: fill width)
     }
 
     /// What needs no arrays and has no values of its own; all else as it is by default.
@@ -342,12 +294,7 @@ impl fairmesh_remesh_options {
 
     /// Where an option is in this argument.
     pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
-        let (at, name) = match option {
-            "density" => (offset_of!(Self, density), "density"),
-            "max_vertices" => (offset_of!(Self, max_vertices), "max_vertices"),
-            _ => return None,
-        };
-        Some(argument.field(at, name))
+        field_named!(argument, option, Self: density max_vertices)
     }
 
     /// What needs no arrays and has no values of its own; all else as it is by default.

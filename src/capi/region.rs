@@ -1,7 +1,7 @@
 //! Regions of a mesh chosen by place, distance and shape, step by step.
 
 use super::callback::HostCallback;
-use super::choices::count;
+use super::choices::{choice, choice_of, count};
 use super::guard::guarded;
 use super::input::MeshIn;
 use super::memory_bounds;
@@ -69,6 +69,10 @@ pub enum fairmesh_seed_kind {
     /// At a vertex, `seed_vertex`.
     Vertex = 1,
 }
+
+choice_of!(fairmesh_region_kind: All Triangles Vertices Ball Box HalfSpace Geodesic Component Patch Bump Grow Shrink Invert);
+choice_of!(fairmesh_combine: Add Remove Intersect);
+choice_of!(fairmesh_seed_kind: Point Vertex);
 
 /// A step of `fairmesh_select_region`. Set it to zero first; what its kind does not need is not read. It never grows.
 #[repr(C)]
@@ -159,46 +163,25 @@ struct StepIn {
 impl StepIn {
     fn new(view: fairmesh_region_step, number: usize) -> CallResult<Self> {
         use fairmesh_region_kind as Kind;
-        let start = number.wrapping_mul(size_of::<fairmesh_region_step>());
-        let place = Argument(2).field(start, "steps");
+        let place = Argument(2).element::<fairmesh_region_step>(number, "steps");
         check_reserved(view.reserved, field!(place, fairmesh_region_step.reserved))?;
         check_reserved(
             view.reserved_too,
             field!(place, fairmesh_region_step.reserved_too),
         )?;
-        let kinds = [
-            Kind::All,
-            Kind::Triangles,
-            Kind::Vertices,
-            Kind::Ball,
-            Kind::Box,
-            Kind::HalfSpace,
-            Kind::Geodesic,
-            Kind::Component,
-            Kind::Patch,
-            Kind::Bump,
-            Kind::Grow,
-            Kind::Shrink,
-            Kind::Invert,
-        ];
-        let at = field!(place, fairmesh_region_step.kind);
-        let kind = kinds.into_iter().find(|kind| *kind as u32 == view.kind);
-        let kind = kind.ok_or_else(|| refused(at, number, view.kind, "fairmesh_region_kind"))?;
-        let spreads = matches!(kind, Kind::Grow | Kind::Shrink | Kind::Invert);
-        let at = field!(place, fairmesh_region_step.combine);
-        let combine = match view.combine {
-            _ if spreads => Combine::Add,
-            0 => Combine::Add,
-            1 => Combine::Remove,
-            2 => Combine::Intersect,
-            other => return Err(refused(at, number, other, "fairmesh_combine")),
+        let kind = choice(view.kind, field!(place, fairmesh_region_step.kind))?;
+        let combine = match kind {
+            Kind::Grow | Kind::Shrink | Kind::Invert => Combine::Add,
+            _ => match choice(view.combine, field!(place, fairmesh_region_step.combine))? {
+                fairmesh_combine::Add => Combine::Add,
+                fairmesh_combine::Remove => Combine::Remove,
+                fairmesh_combine::Intersect => Combine::Intersect,
+            },
         };
         let begins = matches!(kind, Kind::Geodesic | Kind::Component | Kind::Patch | Kind::Bump);
-        let at = field!(place, fairmesh_region_step.seed_kind);
-        let seed = match view.seed_kind {
-            1 if begins => Seed::Vertex(view.seed_vertex),
-            0 => Seed::Point(view.point),
-            other if begins => return Err(refused(at, number, other, "fairmesh_seed_kind")),
+        let seed_kind = || choice(view.seed_kind, field!(place, fairmesh_region_step.seed_kind));
+        let seed = match begins.then(seed_kind).transpose()? {
+            Some(fairmesh_seed_kind::Vertex) => Seed::Vertex(view.seed_vertex),
             _ => Seed::Point(view.point),
         };
         check_extent(kind, &view, place)?;
@@ -282,11 +265,4 @@ fn check_extent(kind: fairmesh_region_kind, view: &fairmesh_region_step, place: 
     } else {
         Err(at.refuse(Status::BadOption, format_args!("{value}: {what}")))
     }
-}
-
-fn refused(at: FieldPath, step: usize, number: u32, of: &str) -> Failure {
-    at.refuse(
-        Status::BadEnum,
-        format_args!("{number} of step {step} is no {of}"),
-    )
 }

@@ -25,12 +25,21 @@ impl Argument {
         self.start().field(offset, name)
     }
 
+    /// One of the structs of this type that the argument points to.
+    pub(crate) fn element<T>(self, number: usize, name: &'static str) -> FieldPath {
+        FieldPath {
+            number: Some(number),
+            ..self.field(number.wrapping_mul(size_of::<T>()), name)
+        }
+    }
+
     /// The struct that the argument points to.
     pub(crate) fn start(self) -> FieldPath {
         FieldPath {
             argument: self.0,
             offset: 0,
             names: [""; 3],
+            number: None,
         }
     }
 
@@ -54,6 +63,8 @@ pub(crate) struct FieldPath {
     offset: u64,
     /// From the outermost struct's field to the innermost one's.
     names: [&'static str; 3],
+    /// Which of several structs.
+    number: Option<usize>,
 }
 
 impl FieldPath {
@@ -80,12 +91,15 @@ impl FieldPath {
     }
 }
 
-/// The field: `, target.kind`.
+/// The field: `, target.kind`, `, steps[1].value`.
 impl std::fmt::Display for FieldPath {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let names = self.names.iter().take_while(|name| !name.is_empty());
         for (k, name) in names.enumerate() {
             write!(f, "{}{name}", if k == 0 { ", " } else { "." })?;
+            if let (0, Some(number)) = (k, self.number) {
+                write!(f, "[{number}]")?;
+            }
         }
         Ok(())
     }
@@ -98,6 +112,17 @@ macro_rules! field {
     };
 }
 pub(crate) use field;
+
+/// The place of the field with this name, of some fields of a struct.
+macro_rules! field_named {
+    ($base:expr, $name:expr, $type:ident: $($field:ident)*) => {
+        match $name {
+            $(name if name == stringify!($field) => Some(field!($base, $type.$field)),)*
+            _ => None,
+        }
+    };
+}
+pub(crate) use field_named;
 
 pub(crate) fn aligned<T>(pointer: *const T, to: usize) -> bool {
     (pointer as usize).is_multiple_of(to)

@@ -2,6 +2,7 @@
 
 use std::ffi::c_void;
 
+use super::choices::choice_of;
 pub use super::hole_records::*;
 pub use super::numbers::*;
 pub use super::records::*;
@@ -32,18 +33,6 @@ pub struct fairmesh_points {
     pub reserved: u32,
 }
 
-impl Default for fairmesh_points {
-    fn default() -> Self {
-        Self {
-            data: core::ptr::null(),
-            count: 0,
-            stride: 0,
-            scalar: fairmesh_scalar::Float64 as u32,
-            reserved: 0,
-        }
-    }
-}
-
 /// Numbers to be read, one at every `stride` bytes.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -60,17 +49,23 @@ pub struct fairmesh_numbers {
     pub reserved: u32,
 }
 
-impl Default for fairmesh_numbers {
-    fn default() -> Self {
-        Self {
-            data: core::ptr::null(),
-            count: 0,
-            stride: 0,
-            scalar: fairmesh_scalar::Float64 as u32,
-            reserved: 0,
+/// Nothing, of doubles.
+macro_rules! nothing_by_default {
+    ($($view:ident)*) => { $(
+        impl Default for $view {
+            fn default() -> Self {
+                Self {
+                    data: core::ptr::null(),
+                    count: 0,
+                    stride: 0,
+                    scalar: fairmesh_scalar::Float64 as u32,
+                    reserved: 0,
+                }
+            }
         }
-    }
+    )* };
 }
+nothing_by_default! { fairmesh_points fairmesh_numbers }
 
 /// Points or vectors to be written, as `fairmesh_points`. What lies between them is not touched.
 #[repr(C)]
@@ -259,3 +254,7 @@ pub struct fairmesh_solver {
 pub struct fairmesh_result {
     _opaque: [u8; 0],
 }
+
+choice_of!(fairmesh_selection_kind: Interior FreeMask FixedMask FreeVertices Faces);
+choice_of!(fairmesh_boundary_normals_kind: Fitted Averaged Given);
+choice_of!(fairmesh_boundary_curvature_kind: Estimated Given);

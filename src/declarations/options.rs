@@ -12,7 +12,6 @@ use crate::tables::variant;
 const HEAD: &str = "\
 //! The options of the C interface. Made of the library's schemas by src/declarations: do not edit.
 
-use core::mem::offset_of;
 use std::ffi::c_void;
 
 use super::callback::fairmesh_progress_fn;
@@ -20,7 +19,7 @@ use super::choices::{chosen, count};
 use super::loop_choice::{fairmesh_join, fairmesh_loop_filter};
 use super::status::CallResult;
 use super::types::*;
-use super::views::{Argument, Array, FieldPath, indices_in};
+use super::views::{Argument, Array, FieldPath, field, field_named, indices_in};
 use fairmesh::{
     BridgeOptions, Discretization, FillOptions, InnerFairness, InteriorNormals, Intersections, OnFailure, Options, OutputPrecision,
     PaperOptions, RemeshOptions, Rim,
@@ -214,15 +213,12 @@ fn declaration(made: &mut String, of: &OptionStruct) {
     for [field, _, _, default] in &fields {
         let _ = writeln!(made, "            {field}: {default},");
     }
-    made.push_str("        }\n    }\n\n    /// Where an option is in this argument.\n    pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {\n        let (at, name) = match option {\n");
-    for [field, ..] in fields.iter().filter(|field| field[0] != "reserved") {
-        let _ = writeln!(
-            made,
-            "            \"{field}\" => (offset_of!(Self, {field}), \"{field}\"),"
-        );
-    }
-    made.push_str(
-        "            _ => return None,\n        };\n        Some(argument.field(at, name))\n    }\n",
+    let names = fields.iter().map(|[field, ..]| field.as_str());
+    let names: Vec<&str> = names.filter(|name| *name != "reserved").collect();
+    let _ = write!(
+        made,
+        "        }}\n    }}\n\n    /// Where an option is in this argument.\n    pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {{\n        field_named!(argument, option, Self: {})\n    }}\n",
+        names.join(" ")
     );
     for (part, entries) in &of.parts {
         reading(made, part, entries);
@@ -245,7 +241,7 @@ fn lists(made: &mut String, part: &str, entries: &[OptionEntry]) {
     for (k, (name, field, width)) in lists.iter().enumerate() {
         let _ = writeln!(
             checks,
-            "            indices_in(&self.{name}, {width}, argument.field(offset_of!(Self, {name}), \"{name}\"))?,"
+            "            indices_in(&self.{name}, {width}, field!(argument, Self.{name}))?,"
         );
         let _ = writeln!(
             reads,
@@ -281,7 +277,7 @@ fn reading(made: &mut String, part: &str, entries: &[OptionEntry]) {
             (OptionKind::Flag, _) => format!("self.{name} != 0"),
             (OptionKind::Choice(of), _) => {
                 let rust = variant(of.trim_start_matches("fairmesh_"));
-                format!("chosen({rust}::from_number(self.{name}), self.{name}, \"{of}\", argument.field(offset_of!(Self, {name}), \"{name}\"))?")
+                format!("chosen({rust}::from_number(self.{name}), self.{name}, \"{of}\", field!(argument, Self.{name}))?")
             }
             _ => return None,
         };
