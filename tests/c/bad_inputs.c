@@ -64,12 +64,7 @@ static Expected argument(int32_t status, uint64_t number, uint64_t offset) {
     return expect(status, FAIRMESH_ELEMENT_ARGUMENT, number, offset);
 }
 
-/* The numbers of the arguments. */
-static uint64_t selection_argument(int function) {
-    (void)function;
-    return 2;
-}
-
+/* The numbers of the arguments: 1 is the mesh, 2 a selection. */
 static uint64_t options_argument(int function) { return function == REFILL ? 4 : 3; }
 
 static uint64_t fill_argument(int function) { return function == REFILL ? 3 : 2; }
@@ -135,98 +130,103 @@ static int32_t call_run(Call *c, int function, fairmesh_error *error) {
     }
 }
 
-/* Mutations. Each gets the number of its variant and says what has to come of it. */
+/* Mutations. Each gets the function and the number of its variant, and says what has to come of it. */
 typedef Expected (*Mutation)(Call *c, int function, int k);
+#define MUTATION(name) static Expected name(Call *c, COMMON_MAY_STAY_UNUSED int f, COMMON_MAY_STAY_UNUSED int k)
 
-static Expected null_mesh(Call *c, int f, int k) {
-    (void)f, (void)k;
+/* So many given normals, the first ones for the vertices of the list. */
+static void give_normals(Call *c, const double *data, size_t count, size_t listed) {
+    fairmesh_boundary_normals *normals = &c->options.boundary_normals;
+    normals->kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
+    normals->vectors = points_of(data, count);
+    if (listed) normals->vertices = indices_of(c->list, listed);
+}
+
+static void give_curvature(Call *c, const double *data, size_t count, size_t listed) {
+    fairmesh_boundary_curvature *curvature = &c->options.boundary_curvature;
+    curvature->kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
+    curvature->values = numbers_of(data, count);
+    if (listed) curvature->vertices = indices_of(c->list, listed);
+}
+
+static void select_two(Call *c, uint32_t kind, const void *entries) {
+    c->selection.kind = kind;
+    c->selection.data = entries;
+    c->selection.count = 2;
+}
+
+MUTATION(null_mesh) {
     c->p_mesh = NULL;
     return argument(FAIRMESH_STATUS_NULL_POINTER, 1, NONE);
 }
-static Expected null_result(Call *c, int f, int k) {
-    (void)k;
+MUTATION(null_result) {
     c->p_result = NULL;
     c->p_solver = NULL;
     return argument(FAIRMESH_STATUS_NULL_POINTER, f == LOOPS || f == ROUGHNESS ? 2 : f == TRIM || f == REFILL ? 5 : 4, NONE);
 }
-static Expected null_selection_data(Call *c, int f, int k) {
+MUTATION(null_selection_data) {
     c->selection.kind = (uint32_t)(k + 1);
     c->selection.data = NULL;
-    return argument(FAIRMESH_STATUS_NULL_POINTER, selection_argument(f), OFFSET(fairmesh_selection, data));
+    return argument(FAIRMESH_STATUS_NULL_POINTER, 2, OFFSET(fairmesh_selection, data));
 }
-static Expected null_numbers(Call *c, int f, int k) {
-    (void)f, (void)k;
+MUTATION(null_numbers) {
     c->p_numbers = NULL;
     return argument(FAIRMESH_STATUS_NULL_POINTER, 2, NONE);
 }
-static Expected null_points(Call *c, int f, int k) {
-    (void)f, (void)k;
+MUTATION(null_points) {
     c->p_points = NULL;
     return argument(FAIRMESH_STATUS_NULL_POINTER, 3, NONE);
 }
-static Expected null_normals(Call *c, int f, int k) {
-    (void)k;
-    c->options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
-    c->options.boundary_normals.vectors = points_of(NULL, SIDE * SIDE);
+MUTATION(null_normals) {
+    give_normals(c, NULL, SIDE * SIDE, 0);
     return argument(FAIRMESH_STATUS_NULL_POINTER, options_argument(f),
                     OFFSET2(fairmesh_options, boundary_normals, fairmesh_boundary_normals, vectors));
 }
 
-static Expected null_curvature(Call *c, int f, int k) {
-    (void)k;
-    c->options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
-    c->options.boundary_curvature.values = numbers_of(NULL, SIDE * SIDE);
+MUTATION(null_curvature) {
+    give_curvature(c, NULL, SIDE * SIDE, 0);
     return argument(FAIRMESH_STATUS_NULL_POINTER, options_argument(f),
                     OFFSET2(fairmesh_options, boundary_curvature, fairmesh_boundary_curvature, values));
 }
 
-static Expected misaligned_struct(Call *c, int f, int k) {
+MUTATION(misaligned_struct) {
     static union { double align; char bytes[1024]; } room;
     int off = 1 + k % 7;
-    (void)f;
     memcpy(room.bytes + off, &c->mesh, sizeof c->mesh);
     c->p_mesh = (const fairmesh_mesh *)(const void *)(room.bytes + off);
     return argument(FAIRMESH_STATUS_MISALIGNED, 1, NONE);
 }
-static Expected misaligned_options(Call *c, int f, int k) {
+MUTATION(misaligned_options) {
     c->p_options = (const fairmesh_options *)(const void *)((const char *)&c->options + 1 + k % 7);
     return argument(FAIRMESH_STATUS_MISALIGNED, options_argument(f), NONE);
 }
-static Expected misaligned_positions(Call *c, int f, int k) {
-    (void)f;
+MUTATION(misaligned_positions) {
     c->mesh.positions.data = (const char *)c->mesh.positions.data + 1 + k % 7;
     c->mesh.positions.count--;
     return argument(FAIRMESH_STATUS_MISALIGNED, 1, OFFSET2(fairmesh_mesh, positions, fairmesh_points, data));
 }
-static Expected misaligned_triangles(Call *c, int f, int k) {
-    (void)f;
+MUTATION(misaligned_triangles) {
     c->mesh.triangles.data = (const uint32_t *)(const void *)((const char *)c->cap.corners + 1 + k % 3);
     return argument(FAIRMESH_STATUS_MISALIGNED, 1, OFFSET2(fairmesh_mesh, triangles, fairmesh_indices, data));
 }
-static Expected misaligned_output(Call *c, int f, int k) {
+MUTATION(misaligned_output) {
     c->out.data = (char *)c->out.data + 1 + k % 7;
     c->numbers.data = c->out.data;
     return argument(FAIRMESH_STATUS_MISALIGNED, f == FAIR ? 4 : 2, OFFSET(fairmesh_points_out, data));
 }
-static Expected misaligned_selection(Call *c, int f, int k) {
-    c->selection.kind = k % 2 ? FAIRMESH_SELECTION_KIND_FACES : FAIRMESH_SELECTION_KIND_FREE_VERTICES;
-    c->selection.data = (const char *)c->list + 1 + k / 2;
-    c->selection.count = 2;
-    return argument(FAIRMESH_STATUS_MISALIGNED, selection_argument(f), OFFSET(fairmesh_selection, data));
+MUTATION(misaligned_selection) {
+    select_two(c, k % 2 ? FAIRMESH_SELECTION_KIND_FACES : FAIRMESH_SELECTION_KIND_FREE_VERTICES, (const char *)c->list + 1 + k / 2);
+    return argument(FAIRMESH_STATUS_MISALIGNED, 2, OFFSET(fairmesh_selection, data));
 }
 
-static Expected short_stride_of_selection(Call *c, int f, int k) {
-    (void)k;
-    c->selection.kind = FAIRMESH_SELECTION_KIND_FACES;
-    c->selection.data = c->list;
-    c->selection.count = 2;
+MUTATION(short_stride_of_selection) {
+    select_two(c, FAIRMESH_SELECTION_KIND_FACES, c->list);
     c->selection.stride = 2;
-    return argument(FAIRMESH_STATUS_BAD_STRIDE, selection_argument(f), OFFSET(fairmesh_selection, stride));
+    return argument(FAIRMESH_STATUS_BAD_STRIDE, 2, OFFSET(fairmesh_selection, stride));
 }
 
-static Expected overflow(Call *c, int f, int k) {
+MUTATION(overflow) {
     static const size_t counts[] = {SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 8, SIZE_MAX / 12, SIZE_MAX / 24, (size_t)1 << 62};
-    (void)f;
     if (k % 2) {
         c->mesh.triangles.count = counts[k / 2];
         if (k / 2 == 4) c->mesh.triangles.count *= 3;
@@ -235,130 +235,100 @@ static Expected overflow(Call *c, int f, int k) {
     c->mesh.positions.count = counts[k / 2];
     return argument(FAIRMESH_STATUS_COUNT_OVERFLOW, 1, OFFSET2(fairmesh_mesh, positions, fairmesh_points, count));
 }
-static Expected overflow_stride(Call *c, int f, int k) {
-    (void)f;
+MUTATION(overflow_stride) {
     c->mesh.positions.stride = (SIZE_MAX >> (k % 6)) & ~(size_t)7;
     return argument(FAIRMESH_STATUS_COUNT_OVERFLOW, 1, OFFSET2(fairmesh_mesh, positions, fairmesh_points, count));
 }
-static Expected too_large(Call *c, int f, int k) {
-    (void)f;
+MUTATION(too_large) {
     if (k) c->mesh.triangles.count = 0xffffffff;
     else c->mesh.positions.count = 0xffffffff;
     return expect(FAIRMESH_STATUS_TOO_LARGE, FAIRMESH_ELEMENT_NONE, NONE, NONE);
 }
 
-static Expected count_mismatch(Call *c, int f, int k) {
+MUTATION(count_mismatch) {
     static const int by[] = {-81, -1, 1, 80, 1000};
     if (k < 10) {
         c->selection.kind = (uint32_t)(1 + k % 2);
         c->selection.count += (size_t)by[k / 2];
-        return argument(FAIRMESH_STATUS_COUNT_MISMATCH, selection_argument(f), OFFSET(fairmesh_selection, count));
+        return argument(FAIRMESH_STATUS_COUNT_MISMATCH, 2, OFFSET(fairmesh_selection, count));
     }
     c->selection.kind = FAIRMESH_SELECTION_KIND_INTERIOR;
-    return argument(FAIRMESH_STATUS_COUNT_MISMATCH, selection_argument(f), OFFSET(fairmesh_selection, count));
+    return argument(FAIRMESH_STATUS_COUNT_MISMATCH, 2, OFFSET(fairmesh_selection, count));
 }
-static Expected count_mismatch_normals(Call *c, int f, int k) {
-    c->options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
-    c->options.boundary_normals.vectors = points_of(c->normals, (size_t)(SIDE * SIDE - 1 - k));
-    if (k > 2) {
-        c->options.boundary_normals.vertices = indices_of(c->list, 2);
-        c->options.boundary_normals.vectors.count = (size_t)k;
-    }
+MUTATION(count_mismatch_normals) {
+    give_normals(c, c->normals, (size_t)(k > 2 ? k : SIDE * SIDE - 1 - k), k > 2 ? 2 : 0);
     return argument(FAIRMESH_STATUS_COUNT_MISMATCH, options_argument(f),
                     OFFSET2(fairmesh_options, boundary_normals, fairmesh_boundary_normals, vectors) + offsetof(fairmesh_points, count));
 }
 
-static Expected count_mismatch_curvature(Call *c, int f, int k) {
-    c->options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
-    c->options.boundary_curvature.values = numbers_of(c->normals, (size_t)(SIDE * SIDE - 1 - k));
-    if (k > 2) {
-        c->options.boundary_curvature.vertices = indices_of(c->list, 2);
-        c->options.boundary_curvature.values.count = (size_t)k;
-    }
+MUTATION(count_mismatch_curvature) {
+    give_curvature(c, c->normals, (size_t)(k > 2 ? k : SIDE * SIDE - 1 - k), k > 2 ? 2 : 0);
     return argument(FAIRMESH_STATUS_COUNT_MISMATCH, options_argument(f),
                     OFFSET2(fairmesh_options, boundary_curvature, fairmesh_boundary_curvature, values) +
                         offsetof(fairmesh_numbers, count));
 }
 
-static Expected index_out_of_range(Call *c, int f, int k) {
+MUTATION(index_out_of_range) {
     static const uint32_t wrong[] = {SIDE * SIDE, SIDE * SIDE + 1, 0x7fffffff, 0xffffffff};
     uint64_t t = (uint64_t)(k * 17) % c->cap.triangles;
-    (void)f;
     c->cap.corners[3 * t + (uint64_t)(k % 3)] = wrong[k % 4];
     return expect(FAIRMESH_STATUS_INDEX_OUT_OF_RANGE, FAIRMESH_ELEMENT_TRIANGLE, t, wrong[k % 4]);
 }
-static Expected selection_out_of_range(Call *c, int f, int k) {
+MUTATION(selection_out_of_range) {
     uint32_t count = k % 2 ? (uint32_t)c->cap.triangles : SIDE * SIDE;
     uint32_t wrong = k / 2 % 2 ? 0xffffffff - (uint32_t)k : count + (uint32_t)k;
-    (void)f;
-    c->selection.kind = k % 2 ? FAIRMESH_SELECTION_KIND_FACES : FAIRMESH_SELECTION_KIND_FREE_VERTICES;
+    select_two(c, k % 2 ? FAIRMESH_SELECTION_KIND_FACES : FAIRMESH_SELECTION_KIND_FREE_VERTICES, c->list);
     c->list[0] = 40;
     c->list[1] = wrong;
-    c->selection.data = c->list;
-    c->selection.count = 2;
     return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, k % 2 ? FAIRMESH_ELEMENT_TRIANGLE : FAIRMESH_ELEMENT_VERTEX,
                   wrong, NONE);
 }
-static Expected loop_out_of_range(Call *c, int f, int k) {
-    (void)f;
+MUTATION(loop_out_of_range) {
     c->list[0] = 0;
     c->list[1] = (uint32_t)(1 + 1000 * k);
     c->fill.loops = indices_of(c->list, 2);
     return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_LOOP, c->list[1], NONE);
 }
-static Expected normal_out_of_range(Call *c, int f, int k) {
-    (void)f;
+MUTATION(normal_out_of_range) {
     c->list[0] = (uint32_t)(SIDE * SIDE + 100 * k);
     c->normals[2] = 1.0;
-    c->options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
-    c->options.boundary_normals.vectors = points_of(c->normals, 1);
-    c->options.boundary_normals.vertices = indices_of(c->list, 1);
+    give_normals(c, c->normals, 1, 1);
     return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_VERTEX, c->list[0], NONE);
 }
 
-static Expected curvature_out_of_range(Call *c, int f, int k) {
-    (void)f;
+MUTATION(curvature_out_of_range) {
     c->list[0] = (uint32_t)(SIDE * SIDE + 100 * k);
-    c->options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
-    c->options.boundary_curvature.values = numbers_of(c->normals, 1);
-    c->options.boundary_curvature.vertices = indices_of(c->list, 1);
+    give_curvature(c, c->normals, 1, 1);
     return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_VERTEX, c->list[0], NONE);
 }
 
 /* Free vertices of the grid of 9: 3 to 5 in both directions; 2 and 6 are their boundary. */
 static uint64_t inner(int k) { return (uint64_t)((2 + k % 5) + SIDE * (2 + k / 5 % 5)); }
 
-static Expected not_finite(Call *c, int f, int k) {
+MUTATION(not_finite) {
     uint64_t v = inner(k);
-    (void)f;
     c->cap.positions[3 * v + (uint64_t)(k % 3)] = k % 2 ? NAN : k % 4 ? INFINITY : -INFINITY;
     return expect(FAIRMESH_STATUS_NOT_FINITE, FAIRMESH_ELEMENT_VERTEX, v, NONE);
 }
-static Expected bad_normal(Call *c, int f, int k) {
+MUTATION(bad_normal) {
     static const double wrong[] = {2.0, 0.5, 0.99, 1.01, 1e300, 1e-300, NAN, INFINITY, -2.0};
     uint32_t v = 2 + SIDE * 3;
-    (void)f;
     c->list[0] = v;
     c->normals[2] = wrong[k];
-    c->options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
-    c->options.boundary_normals.vectors = points_of(c->normals, 1);
-    c->options.boundary_normals.vertices = indices_of(c->list, 1);
+    give_normals(c, c->normals, 1, 1);
     return expect(FAIRMESH_STATUS_BAD_NORMAL, FAIRMESH_ELEMENT_VERTEX, v, NONE);
 }
 
-static Expected bad_curvature(Call *c, int f, int k) {
+MUTATION(bad_curvature) {
     static const double wrong[] = {INFINITY, -INFINITY, NAN};
     uint32_t v = 2 + SIDE * 3;
-    (void)f;
-    c->options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
     if (k < 2) {
         c->normals[v] = wrong[k];
-        c->options.boundary_curvature.values = numbers_of(c->normals, SIDE * SIDE);
+        give_curvature(c, c->normals, SIDE * SIDE, 0);
     } else {
         c->list[0] = v;
         c->normals[0] = wrong[k - 2];
-        c->options.boundary_curvature.values = numbers_of(c->normals, 1);
-        c->options.boundary_curvature.vertices = indices_of(c->list, 1);
+        give_curvature(c, c->normals, 1, 1);
     }
     return expect(FAIRMESH_STATUS_BAD_OPTION, FAIRMESH_ELEMENT_VERTEX, v, NONE);
 }
@@ -368,61 +338,54 @@ static uint64_t region_triangle(int k) {
     return (uint64_t)(2 * ((3 + k % 3) + (SIDE - 1) * (3 + k / 3 % 3)) + k % 2);
 }
 
-static Expected repeated_index(Call *c, int f, int k) {
+MUTATION(repeated_index) {
     uint64_t t = region_triangle(k);
     uint32_t *corner = c->cap.corners + 3 * t;
     uint32_t v = corner[(k + 1) % 3];
-    (void)f;
     /* It has to keep a free vertex, or nobody looks at it. */
     if (!c->cap.free_mask[v] && !c->cap.free_mask[corner[(k + 2) % 3]]) v = corner[(k + 1) % 3] = corner[k % 3];
     else corner[k % 3] = v;
     return expect(FAIRMESH_STATUS_REPEATED_INDEX, FAIRMESH_ELEMENT_TRIANGLE, t, v);
 }
-static Expected duplicate_triangle(Call *c, int f, int k) {
+MUTATION(duplicate_triangle) {
     uint64_t t = region_triangle(k);
     uint32_t *corners = c->cap.corners;
     uint64_t last = c->cap.triangles - 1;
     int r;
-    (void)f;
     /* In the place of the last triangle, turned. */
     for (r = 0; r < 3; r++) corners[3 * last + (uint64_t)r] = corners[3 * t + (uint64_t)((r + k) % 3)];
     return expect(FAIRMESH_STATUS_DUPLICATE_TRIANGLE, FAIRMESH_ELEMENT_TRIANGLE, last, t);
 }
-static Expected non_manifold_edge(Call *c, int f, int k) {
+MUTATION(non_manifold_edge) {
     uint64_t t = region_triangle(k), last = c->cap.triangles - 1;
     uint32_t *corners = c->cap.corners, a = corners[3 * t], b = corners[3 * t + 1];
     uint32_t *extra = corners + 3 * last;
-    (void)f;
     extra[0] = a, extra[1] = b, extra[2] = SIDE * SIDE - 1;
     return expect(FAIRMESH_STATUS_NON_MANIFOLD_EDGE, FAIRMESH_ELEMENT_EDGE, a < b ? a : b, a < b ? b : a);
 }
-static Expected orientation(Call *c, int f, int k) {
+MUTATION(orientation) {
     uint64_t t = region_triangle(k);
     uint32_t *corner = c->cap.corners + 3 * t, swap = corner[1];
-    (void)f;
     corner[1] = corner[2];
     corner[2] = swap;
     /* Which of its edges is told is not said: a later check. */
     return expect(FAIRMESH_STATUS_INCONSISTENT_ORIENTATION, FAIRMESH_ELEMENT_EDGE, NONE - 1, NONE - 1);
 }
-static Expected non_manifold_vertex(Call *c, int f, int k) {
+MUTATION(non_manifold_vertex) {
     /* The last triangle hangs at a boundary vertex of the region by its corner alone. */
     uint32_t *extra = c->cap.corners + 3 * (c->cap.triangles - 1);
     uint32_t v = (uint32_t)((k % 2 ? 2 : 6) + SIDE * (3 + k / 2));
-    (void)f;
     extra[0] = v, extra[1] = SIDE * SIDE - 1, extra[2] = SIDE - 1;
     return expect(FAIRMESH_STATUS_NON_MANIFOLD_VERTEX, FAIRMESH_ELEMENT_VERTEX, v, NONE);
 }
-static Expected free_on_boundary(Call *c, int f, int k) {
+MUTATION(free_on_boundary) {
     uint64_t v = (uint64_t)(k % 4 == 0 ? k + 1 : k % 4 == 1 ? SIDE * (1 + k % 7) : k % 4 == 2 ? SIDE * (2 + k % 6) - 1
                                                                             : SIDE * (SIDE - 1) + 1 + k % 6);
-    (void)f;
     c->cap.free_mask[v] = 1;
     return expect(FAIRMESH_STATUS_FREE_VERTEX_ON_BOUNDARY, FAIRMESH_ELEMENT_VERTEX, v, NONE);
 }
-static Expected free_without_triangle(Call *c, int f, int k) {
+MUTATION(free_without_triangle) {
     uint64_t v = (uint64_t)(1 + k), t;
-    (void)f;
     c->cap.free_mask[v] = 1;
     for (t = 0; t < 3 * c->cap.triangles; t++) {
         /* Its triangles become others, far away and the same as none. */
@@ -434,20 +397,18 @@ static Expected free_without_triangle(Call *c, int f, int k) {
     }
     return expect(FAIRMESH_STATUS_FREE_VERTEX_WITHOUT_TRIANGLE, FAIRMESH_ELEMENT_VERTEX, v, NONE);
 }
-static Expected empty_region(Call *c, int f, int k) {
-    (void)f;
+MUTATION(empty_region) {
     if (k == 0) memset(c->cap.free_mask, 0, SIDE * SIDE);
     else if (k == 1) c->selection.kind = FAIRMESH_SELECTION_KIND_FACES, c->selection.count = 0;
     else if (k == 2) c->selection.kind = FAIRMESH_SELECTION_KIND_FREE_VERTICES, c->selection.count = 0;
     else c->selection.kind = FAIRMESH_SELECTION_KIND_FIXED_MASK, memset(c->cap.free_mask, 1, SIDE * SIDE);
     return expect(FAIRMESH_STATUS_EMPTY_REGION, FAIRMESH_ELEMENT_NONE, NONE, NONE);
 }
-static Expected nothing_fixed(Call *c, int f, int k) {
+MUTATION(nothing_fixed) {
     /* An octahedron, all of it free, at the beginning of the vertices. */
     static const double at[18] = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
     static const uint32_t faces[24] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
     int i;
-    (void)f;
     memcpy(c->cap.positions, at, sizeof at);
     for (i = 0; i < 24; i++) c->cap.corners[i] = faces[(i + 3 * k) % 24];
     c->mesh.triangles.count = 8;
@@ -456,9 +417,8 @@ static Expected nothing_fixed(Call *c, int f, int k) {
     return expect(FAIRMESH_STATUS_NOTHING_FIXED, FAIRMESH_ELEMENT_VERTEX, 0, NONE);
 }
 
-static Expected future_fields(Call *c, int f, int k) {
+MUTATION(future_fields) {
     static union { double align; struct { fairmesh_mesh mesh; char more[64]; } s; } room;
-    (void)f;
     memset(&room, 0, sizeof room);
     room.s.mesh = c->mesh;
     room.s.mesh.struct_size = sizeof(fairmesh_mesh) + 64;
@@ -467,16 +427,14 @@ static Expected future_fields(Call *c, int f, int k) {
     return argument(FAIRMESH_STATUS_BAD_RESERVED, 1, sizeof(fairmesh_mesh) + (uint64_t)(9 * k));
 }
 
-static Expected fill_place(Call *c, int f, int k) {
-    (void)k;
+MUTATION(fill_place) {
     c->fill.filter.within.kind = FAIRMESH_PLACE_KIND_BALL;
     c->fill.filter.within.radius = NAN;
     return argument(FAIRMESH_STATUS_BAD_OPTION, fill_argument(f), OFFSET2(fairmesh_fill_options, filter, fairmesh_loop_filter, within));
 }
 /* Groups: their beginnings, and a loop that is in two of them. */
-static Expected groups(Call *c, int f, int k) {
+MUTATION(groups) {
     static const uint32_t starts[][2] = {{1, 1}, {0, 3}, {1, 0}};
-    (void)f;
     c->fill.join.kind = FAIRMESH_JOIN_KIND_GROUPS;
     c->fill.join.loops = indices_of(c->list, 2);
     if (k < 3) {
@@ -491,7 +449,7 @@ static Expected groups(Call *c, int f, int k) {
     c->list[1] = 1;
     return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_LOOP, 1, NONE);
 }
-static Expected erased(Call *c, int f, int k) {
+MUTATION(erased) {
     c->erased.count = 2;
     if (k == 0) return argument(FAIRMESH_STATUS_NULL_POINTER, 2, OFFSET(fairmesh_indices, data));
     c->erased.data = c->list;
@@ -503,9 +461,8 @@ static Expected erased(Call *c, int f, int k) {
     return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, f == TRIM ? FAIRMESH_ELEMENT_LOOP : FAIRMESH_ELEMENT_TRIANGLE,
                   c->cap.triangles, NONE);
 }
-static Expected areas(Call *c, int f, int k) {
+MUTATION(areas) {
     static const double wrong[] = {-1.0, NAN, -INFINITY, -1e-300};
-    (void)f;
     c->area = wrong[k];
     return argument(FAIRMESH_STATUS_BAD_OPTION, 4, NONE);
 }
@@ -513,9 +470,8 @@ static Expected areas(Call *c, int f, int k) {
 /* Of the second step. */
 #define STEP(a) ((uint64_t)(sizeof(fairmesh_region_step) + offsetof(fairmesh_region_step, a)))
 
-static Expected region_steps(Call *c, int f, int k) {
+MUTATION(region_steps) {
     fairmesh_region_step *step = &c->steps[1];
-    (void)f;
     switch (k) {
     case 0: c->p_steps = NULL; return argument(FAIRMESH_STATUS_NULL_POINTER, 2, NONE);
     case 1:
@@ -533,10 +489,9 @@ static Expected region_steps(Call *c, int f, int k) {
         return argument(FAIRMESH_STATUS_ALIASING, 4, NONE);
     }
 }
-static Expected region_lists(Call *c, int f, int k) {
+MUTATION(region_lists) {
     fairmesh_region_step *step = &c->steps[1];
     uint64_t count = k % 2 ? SIDE * SIDE : c->cap.triangles;
-    (void)f;
     step->kind = k % 2 ? FAIRMESH_REGION_KIND_VERTICES : FAIRMESH_REGION_KIND_TRIANGLES;
     step->list.count = 2;
     if (k < 2) return argument(FAIRMESH_STATUS_NULL_POINTER, 2, STEP(list));
@@ -548,10 +503,9 @@ static Expected region_lists(Call *c, int f, int k) {
     c->list[1] = (uint32_t)count;
     return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, k % 2 ? FAIRMESH_ELEMENT_VERTEX : FAIRMESH_ELEMENT_TRIANGLE, count, NONE);
 }
-static Expected region_places(Call *c, int f, int k) {
+MUTATION(region_places) {
     fairmesh_region_step *step = &c->steps[1];
     Expected range = expect(FAIRMESH_STATUS_BAD_OPTION, FAIRMESH_ELEMENT_NONE, NONE, NONE);
-    (void)f;
     step->value = 1.0;
     switch (k) {
     case 0: step->kind = FAIRMESH_REGION_KIND_BALL, step->point[1] = NAN; return range;
@@ -573,8 +527,7 @@ static Expected region_places(Call *c, int f, int k) {
     }
 }
 
-static Expected aliasing(Call *c, int f, int k) {
-    (void)f;
+MUTATION(aliasing) {
     switch (k) {
     case 0: c->out.data = c->cap.positions + 3, c->out.count = SIDE * SIDE; break;
     case 1: c->out.data = c->cap.positions, c->out.stride = 32; break;
@@ -583,16 +536,14 @@ static Expected aliasing(Call *c, int f, int k) {
     case 4: c->out.data = (void *)&c->mesh; break;
     case 5: c->out.data = (void *)&c->options; break;
     case 6:
-        c->options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
-        c->options.boundary_normals.vectors = points_of(c->normals, SIDE * SIDE);
+        give_normals(c, c->normals, SIDE * SIDE, 0);
         c->out.data = c->normals;
         break;
     default: c->out.data = (void *)&c->selection;
     }
     return argument(FAIRMESH_STATUS_ALIASING, 4, NONE);
 }
-static Expected aliased_outputs(Call *c, int f, int k) {
-    (void)f;
+MUTATION(aliased_outputs) {
     if (k == 0) {
         c->out.data = (void *)&c->report;
         return argument(FAIRMESH_STATUS_ALIASING, 5, NONE);
@@ -604,8 +555,7 @@ static Expected aliased_outputs(Call *c, int f, int k) {
     c->p_result = (fairmesh_result **)(void *)(c->cap.positions + k);
     return argument(FAIRMESH_STATUS_ALIASING, 6, NONE);
 }
-static Expected aliased_numbers(Call *c, int f, int k) {
-    (void)f;
+MUTATION(aliased_numbers) {
     c->numbers.data = k ? (void *)c->cap.positions : (void *)c->cap.corners;
     return argument(FAIRMESH_STATUS_ALIASING, 2, NONE);
 }
