@@ -1,11 +1,11 @@
 //! Numbers of the C interface as values of the library.
 
-use super::status::{CallResult, fairmesh_status as Status};
-use super::structs::FieldPath;
+use super::status::CallResult;
+use super::structs::{FieldPath, refuse};
 
 /// A choice by its number.
 pub(crate) fn chosen<T>(value: Option<T>, number: u32, of: &str, place: FieldPath) -> CallResult<T> {
-    value.ok_or_else(|| place.refuse(Status::BadEnum, format_args!("{number} is no {of}")))
+    value.ok_or_else(|| refuse!(place => BadEnum, "{number} is no {of}"))
 }
 
 /// The one of these that has the number.

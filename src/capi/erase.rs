@@ -89,8 +89,9 @@ pub extern "C" fn fairmesh_trim_boundary(
         let mesh = MeshIn::new(mesh, Argument(1), call)?;
         let listed = optional_list_in(loops, Argument(2), call)?;
         if most_area.is_nan() || most_area < 0.0 {
-            let why = format_args!("most_area is {most_area}: it must be not negative");
-            return Err(Argument(4).itself().refuse(fairmesh_status::BadOption, why));
+            return Err(
+                refuse!(Argument(4).itself() => BadOption, "most_area is {most_area}: it must be not negative"),
+            );
         }
         let result = ResultOut::last(result, Argument(5), call)?;
         let (positions, triangles) = mesh.read()?;

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::status::{CallResult, Failure, fairmesh_status as Status};
-use super::views::Argument;
+use super::status::{CallResult, Failure};
+use super::views::{Argument, refuse};
 
 type Table = BTreeMap<usize, Arc<dyn Any + Send + Sync>>;
 
@@ -28,9 +28,7 @@ pub(crate) fn add<H, T: Any + Send + Sync>(thing: Arc<T>) -> *mut H {
 /// What the handle stands for.
 pub(crate) fn get<H, T: Any + Send + Sync>(handle: *const H, argument: Argument) -> CallResult<Arc<T>> {
     if handle.is_null() {
-        return Err(argument
-            .itself()
-            .refuse(Status::NullPointer, format_args!("NULL")));
+        return Err(refuse!(argument.itself() => NullPointer, "NULL"));
     }
     let found = table().get(&(handle as usize)).cloned();
     found
@@ -51,8 +49,5 @@ pub(crate) fn remove<H>(handle: *const H) {
 }
 
 fn wrong(argument: Argument) -> Failure {
-    argument.itself().refuse(
-        Status::BadHandle,
-        format_args!("not a living handle of this kind"),
-    )
+    refuse!(argument.itself() => BadHandle, "not a living handle of this kind")
 }

@@ -1,9 +1,9 @@
 //! The C interface: exported functions, `repr(C)` types, and what keeps the two worlds apart. `include/fairmesh.h` is made
 //! of this; docs/c-api.md describes the conventions.
 //!
-//! Every function checks all of its arguments before any work ([`views`], [`input`]), runs in [`guard`], holds its memory in
-//! reserve ([`memory`], [`memory_bounds`]), and writes its outputs last. Handles are in [`handles`]. This is the only place of
-//! the crate with `unsafe` code.
+//! Every function runs in [`guard`], checks all of its arguments before any work ([`structs`], [`views`], [`input`]), works with
+//! memory in reserve and writes its outputs last ([`outputs`], [`memory`], [`memory_bounds`]). Handles are in [`handles`]. This is the
+//! only place of the crate with `unsafe` code.
 #![allow(unsafe_code, reason = "pointers from C; see the SAFETY lines")]
 #![allow(non_camel_case_types, reason = "the names of the header")]
 #![allow(

@@ -1,9 +1,9 @@
 //! Which loops are filled, and which of them together: the structs, and how they become the library's.
 
 use super::choices::{choose, count};
-use super::status::{CallResult, fairmesh_status as Status};
+use super::status::CallResult;
 use super::types::*;
-use super::views::{Array, Call, FieldPath, check_reserved, field, indices_in, try_with_capacity};
+use super::views::{Array, Call, FieldPath, check_reserved, field, indices_in, refuse, try_with_capacity};
 use fairmesh::{Join, LoopFilter, Place};
 
 /// Loops that get one patch together: ends of tubes, the two sides of a gap, a hole and the island in it. All zero: none.
@@ -112,8 +112,9 @@ impl JoinIn {
         let ascends = starts.windows(2).all(|pair| pair[0] <= pair[1]);
         if starts[0] != 0 || !ascends || starts[starts.len() - 1] > loops.len() {
             let count = loops.len();
-            let why = format_args!("they ascend from 0 to the count of the loops, {count}");
-            return Err(self.place.refuse(Status::BadOption, why));
+            return Err(
+                refuse!(self.place => BadOption, "they ascend from 0 to the count of the loops, {count}"),
+            );
         }
         let mut groups = try_with_capacity(starts.len())?;
         for (k, &start) in starts.iter().enumerate() {

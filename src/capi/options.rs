@@ -4,9 +4,9 @@ use super::callback::HostCallback;
 use super::choices::choose;
 use super::input::{CurvatureIn, LoopsIn, MeshIn, NormalsIn};
 use super::option_structs::fairmesh_options;
-use super::status::{CallResult, Failure, fairmesh_status as Status};
+use super::status::{CallResult, Failure};
 use super::types::*;
-use super::views::{Argument, Call, FieldPath, check_reserved, field};
+use super::views::{Argument, Call, FieldPath, check_reserved, field, refuse};
 use fairmesh::{Error, Estimate, Options, PaperOptions, Solver, Target};
 
 /// Where the options are that the library's errors name.
@@ -78,8 +78,9 @@ impl OptionsIn {
         if self.options.solver == Solver::Fast {
             return Ok(());
         }
-        let why = format_args!("only the fast solver runs in steps");
-        Err(field!(argument, fairmesh_options.solver).refuse(Status::BadOption, why))
+        Err(
+            refuse!(field!(argument, fairmesh_options.solver) => BadOption, "only the fast solver runs in steps"),
+        )
     }
 
     /// Whether curvature is to be continued.

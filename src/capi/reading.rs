@@ -10,8 +10,6 @@ use super::status::*;
 use super::types::*;
 use super::views::*;
 
-use fairmesh_status as Status;
-
 /// The sizes of a result.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_result_info(
@@ -272,8 +270,9 @@ pub extern "C" fn fairmesh_result_list(
             return Ok(());
         }
         if count > capacity {
-            let why = format_args!("there is room for {capacity}, but there are {count}");
-            return Err(Argument(5).itself().refuse(Status::BufferTooSmall, why));
+            return Err(
+                refuse!(Argument(5).itself() => BufferTooSmall, "there is room for {capacity}, but there are {count}"),
+            );
         }
         list.iter().enumerate().for_each(|(k, i)| out.put(k, [*i]));
         Ok(())

@@ -263,6 +263,6 @@ fn check_extent(kind: fairmesh_region_kind, view: &fairmesh_region_step, place: 
     if holds {
         Ok(())
     } else {
-        Err(at.refuse(Status::BadOption, format_args!("{value}: {what}")))
+        Err(refuse!(at => BadOption, "{value}: {what}"))
     }
 }

@@ -2,6 +2,7 @@
 
 use super::report;
 use super::status::{CallResult, Failure, fairmesh_status as Status};
+use super::structs::refuse;
 use super::types::*;
 use fairmesh::{LoopReport, Parents, Remeshed, Report, Solution};
 
@@ -215,7 +216,5 @@ impl From<Remeshed> for Content {
 }
 
 fn unknown(which: u32, of: &str) -> Failure {
-    super::views::Argument(2)
-        .itself()
-        .refuse(Status::BadEnum, format_args!("{which} is no {of}"))
+    refuse!(super::views::Argument(2).itself() => BadEnum, "{which} is no {of}")
 }

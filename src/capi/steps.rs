@@ -18,8 +18,6 @@ use super::types::*;
 use super::views::*;
 use fairmesh::Session;
 
-use fairmesh_status as Status;
-
 /// Makes a solver, which fairs in steps: run some iterations, look, change the normals, the continuity or the target, go on. Arguments as in
 /// `fairmesh_fair`; everything is copied except for the callback, which `fairmesh_solver_run` calls. Runs without changes
 /// find what `fairmesh_fair` finds, to the last bit. `solver` gets a handle; free it by `fairmesh_solver_free`.
@@ -68,8 +66,7 @@ pub extern "C" fn fairmesh_solver_run(
 ) -> fairmesh_status {
     with_solver(solver, error, |solver, call| {
         if iterations == 0 {
-            let why = format_args!("has to be at least 1");
-            return Err(Argument(2).itself().refuse(Status::BadOption, why));
+            return Err(refuse!(Argument(2).itself() => BadOption, "has to be at least 1"));
         }
         let out = StructOut::optional(report, Argument(3), call)?;
         call.end(Argument(4))?;

@@ -105,6 +105,14 @@ impl std::fmt::Display for FieldPath {
     }
 }
 
+/// What is said of a place: `refuse!(place => BadEnum, "{number} is no {of}")`.
+macro_rules! refuse {
+    ($place:expr => $status:ident, $($why:tt)+) => {
+        $place.refuse(super::status::fairmesh_status::$status, format_args!($($why)+))
+    };
+}
+pub(crate) use refuse;
+
 /// The place of a field, named as in the header: `field!(place, fairmesh_join.kind)`.
 macro_rules! field {
     ($base:expr, $type:ident . $name:ident) => {
@@ -131,14 +139,10 @@ pub(crate) fn aligned<T>(pointer: *const T, to: usize) -> bool {
 /// Checks a pointer to something.
 pub(crate) fn check_pointer<T>(pointer: *const T, argument: Argument) -> CallResult {
     if pointer.is_null() {
-        return Err(argument
-            .itself()
-            .refuse(Status::NullPointer, format_args!("NULL")));
+        return Err(refuse!(argument.itself() => NullPointer, "NULL"));
     }
     if !aligned(pointer, align_of::<T>()) {
-        return Err(argument
-            .itself()
-            .refuse(Status::Misaligned, format_args!("misaligned")));
+        return Err(refuse!(argument.itself() => Misaligned, "misaligned"));
     }
     Ok(())
 }
@@ -156,10 +160,9 @@ fn size_of_struct<T: Versioned>(pointer: *const T, argument: Argument) -> CallRe
 pub(crate) fn check_size<T: Versioned>(size: usize, place: FieldPath) -> CallResult<usize> {
     if size < T::FIRST || size > LARGEST || !size.is_multiple_of(size_of::<usize>()) {
         let (first, known) = (T::FIRST, size_of::<T>());
-        return Err(place.refuse(
-            Status::BadStructSize,
-            format_args!("struct_size is {size}; this library knows {first} to {known}"),
-        ));
+        return Err(
+            refuse!(place => BadStructSize, "struct_size is {size}; this library knows {first} to {known}"),
+        );
     }
     Ok(size)
 }
@@ -175,10 +178,7 @@ fn read_struct<T: Versioned>(pointer: *const T, size: usize, argument: Argument)
         for k in known..size {
             if pointer.cast::<u8>().add(k).read() != 0 {
                 let place = argument.start().field(k, "a field");
-                return Err(place.refuse(
-                    Status::BadReserved,
-                    format_args!("unknown to this library, and not zero"),
-                ));
+                return Err(refuse!(place => BadReserved, "unknown to this library, and not zero"));
             }
         }
         Ok(value.assume_init())

@@ -29,29 +29,17 @@ fn array(
 ) -> CallResult<Array> {
     let row = width * size;
     if data.is_null() && count > 0 {
-        return Err(at[0].refuse(
-            Status::NullPointer,
-            format_args!("NULL, but the count is {count}"),
-        ));
+        return Err(refuse!(at[0] => NullPointer, "NULL, but the count is {count}"));
     }
     if !aligned(data, size) {
-        return Err(at[0].refuse(
-            Status::Misaligned,
-            format_args!("data has to be aligned to {size} bytes"),
-        ));
+        return Err(refuse!(at[0] => Misaligned, "data has to be aligned to {size} bytes"));
     }
     let stride = if stride == 0 { row } else { stride };
     if stride < row {
-        return Err(at[2].refuse(
-            Status::BadStride,
-            format_args!("stride {stride} is less than {row}"),
-        ));
+        return Err(refuse!(at[2] => BadStride, "stride {stride} is less than {row}"));
     }
     if !stride.is_multiple_of(size) {
-        return Err(at[2].refuse(
-            Status::Misaligned,
-            format_args!("stride {stride} is no multiple of {size}"),
-        ));
+        return Err(refuse!(at[2] => Misaligned, "stride {stride} is no multiple of {size}"));
     }
     let bytes = match count {
         0 => Some(0),
@@ -59,10 +47,7 @@ fn array(
     };
     let fits = bytes.filter(|&b| b <= isize::MAX as usize && (data as usize).checked_add(b).is_some());
     let Some(bytes) = fits else {
-        return Err(at[1].refuse(
-            Status::CountOverflow,
-            format_args!("{count} times {stride} bytes is too much"),
-        ));
+        return Err(refuse!(at[1] => CountOverflow, "{count} times {stride} bytes is too much"));
     };
     Ok(Array {
         data: data as *mut u8,
@@ -76,7 +61,7 @@ fn numbers_size(scalar: u32, place: FieldPath) -> CallResult<usize> {
     match scalar {
         1 => Ok(4),
         2 => Ok(8),
-        other => Err(place.refuse(Status::BadEnum, format_args!("{other} is no fairmesh_scalar"))),
+        other => Err(refuse!(place => BadEnum, "{other} is no fairmesh_scalar")),
     }
 }
 
@@ -84,7 +69,7 @@ pub(crate) fn check_reserved(reserved: u32, place: FieldPath) -> CallResult {
     if reserved == 0 {
         return Ok(());
     }
-    Err(place.refuse(Status::BadReserved, format_args!("reserved, but {reserved}")))
+    Err(refuse!(place => BadReserved, "reserved, but {reserved}"))
 }
 
 /// Places of the fields of an array struct that begins at `base`.
@@ -307,8 +292,9 @@ pub(crate) fn check_structs<T>(
     let fits =
         |bytes: &usize| *bytes <= isize::MAX as usize && (structs as usize).checked_add(*bytes).is_some();
     let Some(bytes) = bytes.filter(fits) else {
-        let why = format_args!("{count} {what} are more than memory has room for");
-        return Err(argument.next().itself().refuse(Status::CountOverflow, why));
+        return Err(
+            refuse!(argument.next().itself() => CountOverflow, "{count} {what} are more than memory has room for"),
+        );
     };
     call.input(structs, bytes);
     Ok(())
@@ -330,8 +316,5 @@ pub(crate) fn check_count(got: usize, wanted: usize, place: FieldPath) -> CallRe
     if got == wanted {
         return Ok(());
     }
-    Err(place.refuse(
-        Status::CountMismatch,
-        format_args!("{got}, but it has to be {wanted}"),
-    ))
+    Err(refuse!(place => CountMismatch, "{got}, but it has to be {wanted}"))
 }
