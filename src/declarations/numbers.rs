@@ -100,14 +100,7 @@ fn functions(made: &mut String, table: &Table) {
         "status" => ("i32", "status.cast_unsigned()".to_owned()),
         _ => ("u32", short.to_owned()),
     };
-    let tables = match short {
-        "status" => "&[STATUSES, Error::TABLE]",
-        "outcome" => "&[Outcome::TABLE]",
-        "loose_reason" => "&[&[NONE], LooseReason::TABLE]",
-        "attempt_end" => "&[AttemptEnd::TABLE]",
-        "fill_outcome" => "&[FillOutcome::TABLE]",
-        _ => "&[&[NONE], OpenReason::TABLE, FlatReason::TABLE]",
-    };
+    let tables = table.parts.replace("statuses::", "");
     let example = table.entries[1].name();
     for (what, doc) in [
         (
@@ -129,7 +122,7 @@ fn functions(made: &mut String, table: &Table) {
     ] {
         let _ = write!(
             made,
-            "\n/// {doc} Static; never NULL.\n#[unsafe(no_mangle)]\npub extern \"C\" fn {name}_{what}({short}: {parameter}) -> *const c_char {{\n    told({tables}, {number}, Entry::c_{what})\n}}\n"
+            "\n/// {doc} Static; never NULL.\n#[unsafe(no_mangle)]\npub extern \"C\" fn {name}_{what}({short}: {parameter}) -> *const c_char {{\n    told(&[{tables}], {number}, Entry::c_{what})\n}}\n"
         );
     }
 }

@@ -7,7 +7,7 @@ use syn::{Expr, Fields, FnArg, Item, Lit, ReturnType, Type};
 
 use fairmesh::{Entry, Error, Outcome};
 
-use crate::tables::{self, sentence};
+use crate::tables::{self, sentence, variant};
 
 const ABI_HEAD: &str = r#""""The C interface, declared: every enumeration, struct and function of ``include/fairmesh.h``, under its C name.
 
@@ -71,20 +71,14 @@ pub fn enumerations() -> String {
         let doc = doc.replace("`fairmesh_error`", "error");
         let _ = write!(made, "\n\nclass {class}({base}):\n    \"\"\"{doc}\"\"\"\n\n");
         for entry in &table.entries {
-            member(
-                &mut made,
-                entry.number(),
-                entry.name(),
-                entry.text(),
-                entry.remedy(),
-                base,
-            );
+            let texts = [entry.name(), entry.text(), entry.remedy()];
+            member(&mut made, entry.number(), texts, base);
         }
         if base != "Numbered" {
             let text = "a value that this version of the package does not know";
-            member(&mut made, u32::MAX, "other", text, "", base);
+            member(&mut made, u32::MAX, ["other", text, ""], base);
         }
-        match class {
+        match class.as_str() {
             "Outcome" => successes(&mut made),
             "Status" => refusals_of_input(&mut made),
             _ => {}
@@ -93,18 +87,9 @@ pub fn enumerations() -> String {
     made
 }
 
-/// The class of an enumeration.
-pub(crate) fn class_of(name: &str) -> &'static str {
-    match name {
-        "fairmesh_status" => "Status",
-        "fairmesh_outcome" => "Outcome",
-        "fairmesh_loose_reason" => "LooseReason",
-        "fairmesh_attempt_end" => "AttemptEnd",
-        "fairmesh_fill_outcome" => "FillOutcome",
-        "fairmesh_fill_reason" => "FillReason",
-        "fairmesh_loop_kind" => "LoopKind",
-        _ => panic!("{name} has no class"),
-    }
+/// The class of an enumeration: `fairmesh_fill_outcome` is `FillOutcome`.
+pub(crate) fn class_of(name: &str) -> String {
+    variant(name.trim_start_matches("fairmesh_"))
 }
 
 /// Which outcomes are successes, as `fairmesh::Outcome::is_success` says it.
@@ -146,7 +131,7 @@ fn question<'a>(
     );
 }
 
-fn member(made: &mut String, number: u32, name: &str, text: &str, remedy: &str, base: &str) {
+fn member(made: &mut String, number: u32, [name, text, remedy]: [&str; 3], base: &str) {
     let constant = name.to_uppercase();
     let name = match base {
         "Numbered" => String::new(),

@@ -153,7 +153,7 @@ fn said(field: &Field, taken: &str) -> String {
 }
 
 /// The type of a field.
-fn annotation(field: &Field) -> &str {
+fn annotation(field: &Field) -> String {
     match (field.kind.as_str(), field.count) {
         ("u32" | "u64", _) => "int",
         ("f64", 1) => "float",
@@ -161,14 +161,15 @@ fn annotation(field: &Field) -> &str {
         ("flag", _) => "bool",
         ("or_none", _) => "int | None",
         ("chars" | "fairmesh_gap_kind", _) => "str",
-        (other, _) => class_of(other),
+        (other, _) => return class_of(other),
     }
+    .to_owned()
 }
 
 /// How it is read.
 fn value(field: &Field) -> String {
     let value = format!("struct.{}", field.name);
-    match annotation(field) {
+    match annotation(field).as_str() {
         "int" | "float" => value,
         "bool" => format!("bool({value})"),
         "int | None" => format!("element_or_none({value})"),

@@ -15,6 +15,8 @@ pub struct Table {
     pub name: &'static str,
     /// What it says.
     pub doc: &'static str,
+    /// The tables that it is made of, in Rust.
+    pub parts: &'static str,
     /// Its values, by their numbers.
     pub entries: Vec<Entry>,
     /// Whether programs can ask for the texts of a value.
@@ -53,6 +55,7 @@ macro_rules! tables {
         vec![$(Table {
             name: stringify!($name),
             doc: $doc.trim(),
+            parts: stringify!($($part),+),
             entries: by_number(&[$($part),+]),
             has_texts: stringify!($($texts)?) == "texts",
         }),*]
