@@ -246,6 +246,11 @@ def radial_error(obj, free, offset=(0.0, 0.0, 0.0)):
     return float(np.abs(radius - 1).max())
 
 
+def memory():
+    """What the process has in memory, in MB; of Linux alone."""
+    return int(Path("/proc/self/statm").read_text().split()[1]) * 4096 / 1e6
+
+
 def leave(code):
     """Ends the process with this code, whichever way it was started."""
     sys.stdout.flush()

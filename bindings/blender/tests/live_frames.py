@@ -41,11 +41,6 @@ class Clock:
             self.seconds += time.process_time() - start
 
 
-def memory():
-    """What the process has in memory, in MB."""
-    return int(Path("/proc/self/statm").read_text().split()[1]) * 4096 / 1e6
-
-
 def steps():
     clocks = [Clock(part("live_run").LiveRun, name) for name in ("_make_frame", "_move_pointer")]
     # Its draw handler is the method of each preview.
@@ -84,10 +79,10 @@ def measured(run, clocks, x, y, name):
         yield window.POLL
         # What is made once is there by then.
         if before is None and run.frame_count > first + COUNT // 4:
-            before = memory()
+            before = common.memory()
     made = run.frame_count - first
     own = made / sum(clock.seconds for clock in clocks)
-    more = memory() - before
+    more = common.memory() - before
     print(
         f"{made} frames, {name}: {own:.1f} for each CPU second of the add-on, "
         f"{made / (time.process_time() - start):.1f} with all that Blender draws; {more:+.1f} MB",

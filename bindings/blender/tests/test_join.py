@@ -73,7 +73,7 @@ def test_a_part_that_is_turned_around_is_refused_with_both_loops():
     edit(obj, "EDGE")
     select_boundary(obj)
     before = coordinates(obj)
-    ends = {v.index for e in boundary_edges(obj) for v in e.verts}
+    ends = {v.index for v in rim(obj)}
     runner.raises(join, "faced the other way", "loops 0 and 1", "Mesh > Normals > Flip")
     assert np.array_equal(coordinates(obj), before)
     bpy.ops.mesh.fairmesh_select_found()
@@ -200,10 +200,17 @@ def test_what_cannot_be_erased_stays():
 
 def select_runs(obj, half=0.25):
     """Two runs of boundary edges that face each other."""
-    for edge in boundary_edges(obj):
-        if edge.verts[0].co.x > 0 and max(abs(v.co.y) for v in edge.verts) < half:
-            edge.select_set(True)
-    bmesh.update_edit_mesh(obj.data)
+    select_boundary(obj, lambda e: e.verts[0].co.x > 0 and max(abs(v.co.y) for v in e.verts) < half)
+
+
+def rim(obj):
+    """The vertices on the boundary."""
+    return {v for e in boundary_edges(obj) for v in e.verts}
+
+
+def opposite(obj):
+    """Two vertices that face each other across the equator, by their numbers."""
+    return [max(rim(obj), key=lambda v: v.co.x * (v.co.z * side > 0)).index for side in (1, -1)]
 
 
 def test_a_bridge_between_two_runs_of_edges():
@@ -234,10 +241,7 @@ def test_what_is_no_pair_of_runs_is_not_bridged():
 def test_a_bridge_of_a_width_from_single_vertices():
     obj = band_missing()
     edit(obj, "VERT")
-    rim = {v for e in boundary_edges(obj) for v in e.verts}
-    for side in (-1, 1):
-        max(rim, key=lambda v: v.co.x * (v.co.z * side > 0)).select_set(True)
-    bmesh.update_edit_mesh(obj.data)
+    select_in_order(obj, opposite(obj), is_known=False)
     runner.raises(bridge, "These are not two runs of edges")
     assert bridge(width=0.5, fill_rest=True) == {"FINISHED"}
     check_whole_sphere(obj)
@@ -248,8 +252,7 @@ def slit():
     obj = irregular_sphere(20)
     delete_faces(obj, lambda f: all(abs(v.co.z) < 0.12 and v.co.x > 0.3 for v in f.verts))
     edit(obj, "VERT")
-    rim = {v for e in boundary_edges(obj) for v in e.verts}
-    return obj, [max(rim, key=lambda v: v.co.x * (v.co.z * side > 0)).index for side in (1, -1)]
+    return obj, opposite(obj)
 
 
 def select_in_order(obj, vertices, is_known=True):
@@ -275,8 +278,8 @@ def test_pairs_of_vertices_are_connected():
 
 def test_pairs_are_those_selected_one_after_the_other():
     obj, _ = slit()
-    rim = sorted({(v.co.y, v.co.z > 0, v.index) for e in boundary_edges(obj) for v in e.verts})
-    above, below = ([index for _, up, index in rim if up == side] for side in (True, False))
+    along = sorted((v.co.y, v.co.z > 0, v.index) for v in rim(obj))
+    above, below = ([index for _, up, index in along if up == side] for side in (True, False))
     # Each with the one across.
     order = [above[3], below[3], below[-4], above[-4]]
     select_in_order(obj, order)
@@ -293,8 +296,7 @@ def test_pairs_that_are_none_are_told():
     select_in_order(obj, pair[:1])
     runner.raises(lambda: fill(guides=True), "Connect Pairs: select pairs of boundary vertices", "1 is selected")
     # Four, but not one after the other.
-    rim = sorted({v.index for e in boundary_edges(obj) for v in e.verts})
-    select_in_order(obj, rim[:4], is_known=False)
+    select_in_order(obj, sorted(v.index for v in rim(obj))[:4], is_known=False)
     runner.raises(lambda: fill(guides=True), "Connect Pairs", "0 of them one by one")
     # Two that have an edge between them already.
     select_in_order(obj, [v.index for v in boundary_edges(obj)[0].verts])
@@ -305,8 +307,7 @@ def test_pairs_that_are_none_are_told():
 def test_pairs_on_two_loops_that_are_joined():
     obj = band_missing()
     edit(obj, "VERT")
-    rim = {v for e in boundary_edges(obj) for v in e.verts}
-    select_in_order(obj, [max(rim, key=lambda v: v.co.x * (v.co.z * side > 0)).index for side in (1, -1)])
+    select_in_order(obj, opposite(obj))
     assert join(guides=True) == {"FINISHED"}
     check_whole_sphere(obj)
 
@@ -386,10 +387,10 @@ def test_the_rim_moves_no_further_than_asked_in_the_scene():
 def test_hidden_vertices_of_a_rim_stay():
     obj = rough()
     mesh = bmesh.from_edit_mesh(obj.data)
-    rim = {v for e in boundary_edges(obj) for v in e.verts}
-    second = next(o for v in rim for e in v.link_edges for o in [e.other_vert(v)] if o not in rim)
+    outer = rim(obj)
+    second = next(o for v in outer for e in v.link_edges for o in [e.other_vert(v)] if o not in outer)
     for face in second.link_faces:
-        if not rim & set(face.verts):
+        if not outer & set(face.verts):
             face.hide_set(True)
     second.hide = True
     bmesh.update_edit_mesh(obj.data)
@@ -400,12 +401,10 @@ def test_hidden_vertices_of_a_rim_stay():
     assert np.array_equal(coordinates(obj), start)
 
 
-def ragged():
-    """An irregular sphere with two holes, and a fin of one face at each, in the mode of edges."""
-    obj = irregular_sphere(20)
-    delete_faces(obj, lambda f: abs(f.calc_center_median().z) > 0.9)
+def add_fins(obj, *sides):
+    """A fin of one face at a boundary edge above (1) or below (-1) the equator; then in the mode of edges."""
     mesh = bmesh.from_edit_mesh(obj.data)
-    for side in (1, -1):
+    for side in sides:
         edge = next(e for e in boundary_edges(obj) if e.verts[0].co.z * side > 0)
         tip = mesh.verts.new((edge.verts[0].co + edge.verts[1].co) * 0.65)
         mesh.faces.new([edge.link_loops[0].link_loop_next.vert, edge.link_loops[0].vert, tip])
@@ -413,6 +412,13 @@ def ragged():
     bpy.ops.object.mode_set(mode="OBJECT")
     edit(obj, "EDGE")
     return obj
+
+
+def ragged():
+    """An irregular sphere with two holes, and a fin at each."""
+    obj = irregular_sphere(20)
+    delete_faces(obj, lambda f: abs(f.calc_center_median().z) > 0.9)
+    return add_fins(obj, 1, -1)
 
 
 def test_what_spoils_the_boundary_is_trimmed_at_the_holes_that_are_filled():
@@ -428,14 +434,7 @@ def test_what_spoils_the_boundary_is_trimmed_at_the_holes_that_are_filled():
 
 
 def test_trimming_before_loops_are_joined_and_undone_in_one_step():
-    obj = band_missing()
-    mesh = bmesh.from_edit_mesh(obj.data)
-    edge = boundary_edges(obj)[0]
-    tip = mesh.verts.new((edge.verts[0].co + edge.verts[1].co) * 0.65)
-    mesh.faces.new([edge.link_loops[0].link_loop_next.vert, edge.link_loops[0].vert, tip])
-    bmesh.update_edit_mesh(obj.data)
-    bpy.ops.object.mode_set(mode="OBJECT")
-    edit(obj, "EDGE")
+    obj = add_fins(band_missing(), 1)
     name, before = obj.name, coordinates(obj)
     select_boundary(obj)
     bpy.ops.ed.undo_push(message="before")

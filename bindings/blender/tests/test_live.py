@@ -270,10 +270,6 @@ def test_the_wheel_goes_from_the_whole_loop_to_two_edges_and_back():
     assert (now.weights(1.0) == 1).all()
 
 
-def memory():
-    return int(Path("/proc/self/statm").read_text().split()[1]) * 4096 / 1e6
-
-
 def test_a_thousand_frames_leave_nothing_behind():
     if sys.platform != "linux":
         return
@@ -289,7 +285,7 @@ def test_a_thousand_frames_leave_nothing_behind():
         moving.update(0.04)
         moving.positions()
         if frame in (200, 999):
-            were.append(memory())
+            were.append(common.memory())
     moving.close()
     assert were[1] - were[0] < 8, were
 
