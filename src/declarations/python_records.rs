@@ -14,10 +14,14 @@ const HEAD: &str = r#""""What is told of results. Made of src/capi by src/declar
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _abi
-from ._enums import AttemptEnd, LooseReason, Outcome
+from ._enums import AttemptEnd, LoopKind, LooseReason, Outcome
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 
 def element_or_none(number: int) -> int | None:
@@ -27,12 +31,18 @@ def element_or_none(number: int) -> int | None:
 
 /// A class: its name, its struct, what is said about it if the struct says something else, and its fields: all but those with a minus,
 /// or those that are named, with their names in Python if these are others.
-const CLASSES: [[&str; 4]; 8] = [
+const CLASSES: [[&str; 4]; 9] = [
     ["Report", "report", "", "-component_count"],
     ["Component", "component", "", "-attempt_count -continuity_count"],
     ["Attempt", "attempt", "", ""],
     ["Continuity", "continuity", "", ""],
     ["Level", "level", "", ""],
+    [
+        "Loop",
+        "loop",
+        "A boundary loop of a mesh.",
+        "kind length area turn component component_triangle_count=component_faces",
+    ],
     [
         "Bends",
         "join_suggestion",
@@ -53,7 +63,7 @@ const CLASSES: [[&str; 4]; 8] = [
     ],
 ];
 
-/// What two classes have besides.
+/// What three classes have besides.
 const REPORT: &str = r#"    components: tuple[Component, ...]
     """The components of the region, by their smallest free vertices; at least one."""
 
@@ -80,6 +90,15 @@ const COMPONENT: &str = r#"    attempts: tuple[Attempt, ...]
     continuity: tuple[Continuity, ...]
     """What came of the option ``continuity`` along each boundary loop; empty where it is 0, no loop has surroundings and vertices enough, or no surface was found to begin with."""
 "#;
+const LOOP: &str = r#"    vertices: NDArray[np.intp]
+    """The vertices in the direction of triangles that fill it."""
+    touching: NDArray[np.intp]
+    """Vertices that belong to another loop, too."""
+    edge: tuple[int, int] | None
+    """The bad edge of a non-manifold loop, otherwise None."""
+    roughness: Roughness | None
+    """How rough the mesh is around it, if `boundary_loops` was asked for that and the mesh around tells."""
+"#;
 
 /// The text of `_records.py`.
 pub fn records(items: &[Item]) -> String {
@@ -92,6 +111,7 @@ pub fn records(items: &[Item]) -> String {
         let (besides, arguments) = match class {
             "Report" => (REPORT, ", repr=False"),
             "Component" => (COMPONENT, ""),
+            "Loop" => (LOOP, ""),
             _ => ("", ""),
         };
         let (mut attributes, mut values) = (String::new(), String::new());
@@ -148,7 +168,7 @@ fn said(field: &Field, taken: &str) -> String {
         of if said == format!("A `{of}`.") => String::new(),
         "or_none" => said.replace('.', "; None: there is none."),
         "fairmesh_gap_kind" => format!("{said} {}.", names(&field.kind)),
-        _ => said,
+        _ => said.replace("`fairmesh_", "`"),
     }
 }
 

@@ -10,14 +10,14 @@ from ._enums import AttemptEnd, FillOutcome, FillReason, LoopKind, LooseReason, 
 from ._erase import Carried, Erased, Trimmed, carry_over, erase, trim_boundary
 from ._errors import ElementKind, FairmeshError, InputError, OutOfMemoryError
 from ._fairing import Result, Solver, fair
-from ._holes import Filled, Loop, LoopReport, boundary_loops, fill_holes
+from ._holes import Filled, LoopReport, boundary_loops, fill_holes
 from ._intersections import self_intersections
 from ._joins import JoinSuggestion, components, suggest_joins
 from ._keywords import LoopChoice
 from ._library import LibraryError, load, version
 from ._options import default_fill_options, default_options, default_remesh_options
 from ._progress import Monitor, Progress
-from ._records import Attempt, Bends, Component, Continuity, Level, Moved, Report, Roughness
+from ._records import Attempt, Bends, Component, Continuity, Level, Loop, Moved, Report, Roughness
 from ._region import (
     grow,
     select_ball,

@@ -254,7 +254,7 @@ class Solver(Generic[M]):
     def set_boundary_normals(self, normals: Normals) -> None:
         """Asks for other boundary normals from now on, as in `fair`. The next run starts at the surface at hand."""
         view = normals_view(normals, self._shape[0])
-        self._call("fairmesh_solver_set_boundary_normals", view.struct)
+        self._call("fairmesh_solver_set_boundary_normals", view)
 
     def set_continuity(self, continuity: HowFar, loops: LoopContinuity | None = None) -> None:
         """Asks for another ``continuity`` from now on, and with ``loops`` for a ``loop_continuity``, as in `fair`.
@@ -263,7 +263,7 @@ class Solver(Generic[M]):
         """
         view = loops_view(loops or {})
         asked = ctypes.c_double(how_far(continuity, "continuity"))
-        self._call("fairmesh_solver_set_continuity", asked, view.struct)
+        self._call("fairmesh_solver_set_continuity", asked, view)
 
     def set_boundary_curvature(self, curvature: Curvature) -> None:
         """Asks for the continuation of another curvature from now on, as in `fair`.
@@ -271,7 +271,7 @@ class Solver(Generic[M]):
         The next run starts at the surface at hand.
         """
         view = curvature_view(curvature, self._shape[0])
-        self._call("fairmesh_solver_set_boundary_curvature", view.struct)
+        self._call("fairmesh_solver_set_boundary_curvature", view)
 
     def set_target(self, target: Target) -> None:
         """Asks for another target from now on, given as in `fair`. The next run starts at the surface at hand."""

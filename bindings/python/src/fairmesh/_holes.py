@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, overload
 
@@ -13,13 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 from . import _abi, _arrays
 from ._calls import of_mesh
 from ._carry import Change
-from ._choice import Choice
-from ._enums import FillOutcome, FillReason, LoopKind, Status
+from ._choice import loop_choice
+from ._enums import FillOutcome, FillReason, Status
 from ._handles import ResultHandle, result_of
 from ._hosts import Arrays, M, MeshLike
 from ._keywords import FillKeywords, MeshKeywords
 from ._options import set_options
-from ._records import Bends, Moved, Report, Roughness, bends_of, moved_of, roughness_of
+from ._records import Bends, Loop, Moved, Report, bends_of, loop_of, moved_of, roughness_of
 from ._reports import sized
 from ._runs import Run
 
@@ -27,32 +26,6 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 _lists = _abi.fairmesh_list
-
-
-@dataclass(frozen=True)
-class Loop:
-    """A boundary loop of a mesh."""
-
-    kind: LoopKind
-    #: The vertices in the direction of triangles that fill it.
-    vertices: NDArray[np.intp]
-    #: Vertices that belong to another loop, too.
-    touching: NDArray[np.intp]
-    #: The sum of the edge lengths.
-    length: float
-    #: The length of the vector area.
-    area: float
-    #: The mean angle, in degrees, by which a smooth surface over the loop has to turn back: 0 for a hole in a plane, 90
-    #: for the end of a tube, 180 for the outer boundary of a plane sheet.
-    turn: float
-    #: The bad edge of a non-manifold loop, otherwise None.
-    edge: tuple[int, int] | None
-    #: The component of the mesh that it is on, as `components` numbers them.
-    component: int
-    #: How many faces that has.
-    component_faces: int
-    #: How rough the mesh is around it, if `boundary_loops` was asked for that and the mesh around tells.
-    roughness: Roughness | None
 
 
 @overload
@@ -77,18 +50,12 @@ def boundary_loops(mesh: _arrays.Mesh, *, roughness: bool = False) -> list[Loop]
 def _loop(handle: ResultHandle, index: int) -> Loop:
     loop = sized(_abi.fairmesh_loop)
     handle.read("fairmesh_result_loop", index, loop)
-    kind = LoopKind.of(loop.kind)
-    return Loop(
-        kind,
-        handle.list(_lists.LOOP_VERTICES, index),
-        handle.list(_lists.LOOP_TOUCHING, index),
-        loop.length,
-        loop.area,
-        loop.turn,
-        (loop.edge_a, loop.edge_b) if kind is LoopKind.NON_MANIFOLD else None,
-        loop.component,
-        loop.component_triangle_count,
-        roughness_of(loop) if loop.has_roughness else None,
+    return loop_of(
+        loop,
+        vertices=handle.list(_lists.LOOP_VERTICES, index),
+        touching=handle.list(_lists.LOOP_TOUCHING, index),
+        edge=(loop.edge_a, loop.edge_b) if loop.kind == _abi.fairmesh_loop_kind.NON_MANIFOLD else None,
+        roughness=roughness_of(loop) if loop.has_roughness else None,
     )
 
 
@@ -271,9 +238,7 @@ def fill_holes(mesh: _arrays.Mesh, **keywords: Unpack[FillKeywords]) -> Filled[A
         InputError and the others of `fair`.
 
     """
-    chosen = Choice(keywords, keywords.get("join"))
-    alive = set_options(chosen.struct, keywords)
+    filling = loop_choice(keywords, keywords.get("join"))
+    set_options(filling, keywords)
     run = Run(mesh, keywords)
-    handle = run.result("fairmesh_fill_holes", chosen.struct, run.options)
-    del alive
-    return Filled(handle, mesh)
+    return Filled(run.result("fairmesh_fill_holes", filling, run.options), mesh)

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
 from ._calls import of_mesh
-from ._choice import Choice
+from ._choice import loop_choice
 from ._handles import ResultHandle, result_of
 from ._hosts import MeshLike
 from ._keywords import JoinKeywords, MeshKeywords
@@ -46,8 +46,7 @@ def suggest_joins(mesh: _arrays.Mesh, **which: Unpack[JoinKeywords]) -> list[Joi
         **which: Among which loops: ``loops`` and the bounds of `fill_holes`. Default: all.
 
     """
-    choice = Choice(which)
-    handle = result_of("fairmesh_suggest_joins", mesh.struct, choice.struct)
+    handle = result_of("fairmesh_suggest_joins", mesh.struct, loop_choice(which))
     return [_suggestion(handle, index) for index in range(handle.info().loop_count)]
 
 

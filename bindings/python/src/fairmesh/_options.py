@@ -35,6 +35,12 @@ def initial(struct: type[Struct]) -> Struct:
     return made
 
 
+def keep(struct: Struct, *alive: Any) -> Struct:
+    """The struct, which keeps arrays that it points to, or structs that do and that it has a copy of."""
+    vars(struct).setdefault("alive", []).extend(alive)
+    return struct
+
+
 def options_of(struct: type[Struct], given: Mapping[str, Any]) -> Struct:
     """A struct of plain options with the library's defaults where nothing is given."""
     made = initial(struct)
@@ -73,9 +79,8 @@ def positive(value: Any, name: str) -> float:
     return number
 
 
-def set_options(struct: ctypes.Structure, given: Mapping[str, Any]) -> list[Any]:
-    """Sets what is given of a struct's options, but those with a form of Python's. Returns the arrays to be kept."""
-    alive: list[Any] = []
+def set_options(struct: ctypes.Structure, given: Mapping[str, Any]) -> None:
+    """Sets what is given of a struct's options, but those with a form of Python's."""
     for name, kind in KINDS[type(struct).__name__].items():
         value = given.get(name)
         if value is None or kind == "form":
@@ -86,29 +91,27 @@ def set_options(struct: ctypes.Structure, given: Mapping[str, Any]) -> list[Any]
         elif how == "count":
             setattr(struct, name, whole(value, name, int(of)))
         elif how in ("pairs", "indices"):
-            alive.append(_arrays.pairs(value, name) if how == "pairs" else _arrays.indices(value, name))
-            setattr(struct, name, _arrays.indices_view(alive[-1]))
+            listed = _arrays.pairs(value, name) if how == "pairs" else _arrays.indices(value, name)
+            setattr(keep(struct, listed), name, _arrays.indices_view(listed))
         else:
             setattr(struct, name, {"real": real, "positive": positive, "flag": flag}[how](value, name))
-    return alive
 
 
-class Options:
-    """The library's options of fairing. Keeps the arrays of normals, curvatures and loops alive."""
-
-    def __init__(self, vertices: NDArray[Any], given: Mapping[str, Any]) -> None:
-        self.struct = initial(_abi.fairmesh_options)
-        if vertices.dtype == np.float32:
-            self.struct.output_precision = _abi.fairmesh_output_precision.SINGLE
-        self.alive: list[Any] = set_options(self.struct, given)
-        if given.get("continuity") is not None:
-            self.struct.continuity = how_far(given["continuity"], "continuity")
-        if given.get("target") is not None:
-            self.struct.target = target_struct(given["target"])
-        for name, view in VIEWS.items():
-            if given.get(name) is not None:
-                self.alive.append(view(given[name], len(vertices)))
-                setattr(self.struct, name, self.alive[-1].struct)
+def fairing_options(vertices: NDArray[Any], given: Mapping[str, Any]) -> _abi.fairmesh_options:
+    """The library's options of fairing."""
+    struct = initial(_abi.fairmesh_options)
+    if vertices.dtype == np.float32:
+        struct.output_precision = _abi.fairmesh_output_precision.SINGLE
+    set_options(struct, given)
+    if given.get("continuity") is not None:
+        struct.continuity = how_far(given["continuity"], "continuity")
+    if given.get("target") is not None:
+        struct.target = target_struct(given["target"])
+    for name, view_of in VIEWS.items():
+        if given.get(name) is not None:
+            view = view_of(given[name], len(vertices))
+            setattr(keep(struct, view), name, view)
+    return struct
 
 
 def _number(value: Any, name: str, of: Any) -> int:
@@ -140,32 +143,24 @@ def target_struct(value: Target) -> _abi.fairmesh_target:
     return _abi.fairmesh_target(kinds.CONSTANT, 0, real(value, "target"))
 
 
-class View:
-    """A struct that names arrays. Keeps them alive."""
-
-    def __init__(self, struct: Any, *alive: Any) -> None:
-        self.struct = struct
-        self._alive = alive
-
-
-def normals_view(given: Normals, vertex_count: int) -> View:
+def normals_view(given: Normals, vertex_count: int) -> _abi.fairmesh_boundary_normals:
     """Boundary normals, as the library reads them."""
     kinds = _abi.fairmesh_boundary_normals_kind
     if isinstance(given, str):
         if given not in ("fitted", "averaged"):
             raise ValueError(f"boundary_normals: {given!r} is neither 'fitted' nor 'averaged' nor an array")
-        return View(_abi.fairmesh_boundary_normals(kinds[given.upper()]))
+        return _abi.fairmesh_boundary_normals(kinds[given.upper()])
     vectors, indices = _rows(given, "boundary_normals", _arrays.points, vertex_count)
     if indices is None:
         vectors = _none_as_zero(vectors)
     views = (_arrays.points_view(vectors), _arrays.list_view(indices) or _abi.fairmesh_indices())
-    return View(_abi.fairmesh_boundary_normals(kinds.GIVEN, 0, *views), vectors, indices)
+    return keep(_abi.fairmesh_boundary_normals(kinds.GIVEN, 0, *views), vectors, indices)
 
 
-def curvature_view(given: Curvature, vertex_count: int) -> View:
+def curvature_view(given: Curvature, vertex_count: int) -> _abi.fairmesh_boundary_curvature:
     """Mean curvature at the boundary, as the library reads it."""
     kinds, name = _abi.fairmesh_boundary_curvature_kind, "boundary_curvature"
-    estimated = View(_abi.fairmesh_boundary_curvature(kinds.ESTIMATED))
+    estimated = _abi.fairmesh_boundary_curvature(kinds.ESTIMATED)
     if isinstance(given, str):
         if given != "estimated":
             raise ValueError(f"{name}: {given!r} is neither 'estimated' nor a mapping nor an array")
@@ -177,10 +172,10 @@ def curvature_view(given: Curvature, vertex_count: int) -> View:
         # For the library, no list of vertices is one number for each.
         return estimated
     views = (_arrays.numbers_view(values), _arrays.list_view(indices) or _abi.fairmesh_indices())
-    return View(_abi.fairmesh_boundary_curvature(kinds.GIVEN, 0, *views), values, indices)
+    return keep(_abi.fairmesh_boundary_curvature(kinds.GIVEN, 0, *views), values, indices)
 
 
-def loops_view(given: LoopContinuity, vertex_count: int = 0) -> View:
+def loops_view(given: LoopContinuity, vertex_count: int = 0) -> _abi.fairmesh_loop_continuity:
     """How far single loops are continued, as the library reads it."""
     del vertex_count
     name = "loop_continuity"
@@ -189,11 +184,11 @@ def loops_view(given: LoopContinuity, vertex_count: int = 0) -> View:
     indices = _arrays.indices(list(given), name)
     values = np.array([how_far(value, name) for value in given.values()], float)
     views = (_arrays.numbers_view(values), _arrays.indices_view(indices)) if given else ()
-    return View(_abi.fairmesh_loop_continuity(*views), indices, values)
+    return keep(_abi.fairmesh_loop_continuity(*views), indices, values)
 
 
 #: Options that name arrays.
-VIEWS: dict[str, Callable[[Any, int], View]] = {
+VIEWS: dict[str, Callable[[Any, int], ctypes.Structure]] = {
     "boundary_normals": normals_view,
     "boundary_curvature": curvature_view,
     "loop_continuity": loops_view,

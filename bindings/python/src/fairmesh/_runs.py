@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from ._arrays import Mesh, Region, Selection
 from ._handles import ResultHandle, result_of
-from ._options import Options
+from ._options import fairing_options
 from ._progress import Relay
 from ._seams import seams_told
 
@@ -24,8 +24,7 @@ class Run:
 
     def __init__(self, mesh: Mesh, keywords: Mapping[str, Any]) -> None:
         self._mesh = mesh
-        self._options = Options(mesh.vertices, keywords)
-        self.options = self._options.struct
+        self.options = fairing_options(mesh.vertices, keywords)
         self.relay = Relay(keywords.get("progress"), keywords.get("cancel"))
         self.relay.install(self.options)
 
