@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import ctypes
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Union
 
 import numpy as np
 
 from . import _abi, _arrays
-from ._options import real
+from ._options import keep, real
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from numpy.typing import ArrayLike
 
 _kinds = _abi.fairmesh_edit_kind
@@ -87,39 +84,21 @@ class Frame:
     is_settled: bool
 
 
-class EditsView:
-    """Edits as the C interface takes them, with the arrays that it points to."""
-
-    def __init__(self, edits: Sequence[Edit], count: int) -> None:
-        self._kept: list[Any] = []
-        self.structs = (_abi.fairmesh_edit * len(edits))(*(self._struct(edit, count) for edit in edits))
-
-    def _struct(self, edit: Edit, count: int) -> _abi.fairmesh_edit:
-        if isinstance(edit, Bulge):
-            return _abi.fairmesh_edit(kind=_kinds.BULGE, amount=real(edit.amount, "amount"))
-        if isinstance(edit, (Tilt, Twist)):
-            made = _abi.fairmesh_edit(kind=_kinds.TILT if isinstance(edit, Tilt) else _kinds.TWIST)
-            made.vertex = int(_arrays.indices(np.asarray(edit.vertex).reshape(1), "vertex")[0])
-            made.amount = real(edit.angle, "angle")
-            made.falloff = real(edit.falloff, "falloff")
-            return made
-        if isinstance(edit, Move):
-            return self._moved(edit, count)
-        raise TypeError(f"edits: Tilt, Twist, Bulge or Move is needed, not {type(edit).__name__}")
-
-    def _moved(self, edit: Move, count: int) -> _abi.fairmesh_edit:
+def edit_struct(edit: Edit, count: int) -> _abi.fairmesh_edit:
+    """An edit as the C interface takes it."""
+    if isinstance(edit, Bulge):
+        return _abi.fairmesh_edit(kind=_kinds.BULGE, amount=real(edit.amount, "amount"))
+    if isinstance(edit, (Tilt, Twist)):
+        made = _abi.fairmesh_edit(kind=_kinds.TILT if isinstance(edit, Tilt) else _kinds.TWIST)
+        made.vertex = int(_arrays.indices(np.asarray(edit.vertex).reshape(1), "vertex")[0])
+        made.amount = real(edit.angle, "angle")
+    elif isinstance(edit, Move):
         given = _arrays.mask_or_indices(edit.vertices, "vertices", count)
         vertices = np.flatnonzero(given).astype(np.uint32) if given.dtype == np.uint8 else given
-        self._kept.append(vertices)
-        made = _abi.fairmesh_edit(kind=_kinds.MOVE, falloff=real(edit.falloff, "falloff"))
-        made.vertices = _arrays.indices_view(vertices)
+        made = keep(_abi.fairmesh_edit(kind=_kinds.MOVE, vertices=_arrays.indices_view(vertices)), vertices)
         for name in ("rotation", "centre", "translation"):
             getattr(made, name)[:] = _arrays.point(getattr(edit, name), name)
-        return made
-
-
-def budget_struct(evaluations: int, seconds: float, tolerance: float) -> _abi.fairmesh_budget:
-    """What a frame may cost, for the C interface."""
-    made = _abi.fairmesh_budget(evaluations=evaluations, seconds=seconds, tolerance=tolerance)
-    made.struct_size = ctypes.sizeof(made)
+    else:
+        raise TypeError(f"edits: Tilt, Twist, Bulge or Move is needed, not {type(edit).__name__}")
+    made.falloff = real(edit.falloff, "falloff")
     return made

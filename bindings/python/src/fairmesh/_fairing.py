@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
 from ._calls import of_mesh
-from ._edits import Edit, EditsView, Frame, budget_struct
+from ._edits import Edit, Frame, edit_struct
 from ._enums import Outcome, Status
 from ._errors import FairmeshError, call
 from ._handles import ResultHandle
@@ -283,8 +283,8 @@ class Solver(Generic[M]):
         They take the place of the edits before, and are all relative to what was asked otherwise: no edits, and nothing
         is changed of that. The next update or run starts at the surface at hand, with the matrices at hand.
         """
-        view = EditsView(edits, self._shape[0])
-        self._call("fairmesh_solver_edit", view.structs, len(view.structs))
+        structs = [edit_struct(edit, self._shape[0]) for edit in edits]
+        self._call("fairmesh_solver_edit", (_abi.fairmesh_edit * len(structs))(*structs), len(structs))
 
     def update(self, *, evaluations: int = 0, seconds: float = 0.0, tolerance: float = 0.0) -> Frame:
         """One frame: goes on until the surface is settled, or the limit is used up. `vertices` has the surface.
@@ -295,8 +295,9 @@ class Solver(Generic[M]):
             tolerance: The step norm at which a frame is settled, in diagonals; 0: 1e-6.
 
         """
-        limit = budget_struct(whole(evaluations, "evaluations"), real(seconds, "seconds"), real(tolerance, "tolerance"))
-        made = sized(_abi.fairmesh_frame)
+        limit, made = sized(_abi.fairmesh_budget), sized(_abi.fairmesh_frame)
+        limit.evaluations = whole(evaluations, "evaluations")
+        limit.seconds, limit.tolerance = real(seconds, "seconds"), real(tolerance, "tolerance")
         self._call("fairmesh_solver_update", limit, made)
         return Frame(made.step, made.evaluations, bool(made.is_settled))
 
