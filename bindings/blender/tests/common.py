@@ -14,11 +14,6 @@ EXTENSIONS = bpy.app.version >= (4, 2, 0)
 NAME = "bl_ext.user_default.fairmesh" if EXTENSIONS else "fairmesh_blender"
 
 
-def private_folders(folder):
-    """User files go to `folder`, never to the user's own: set before Blender starts."""
-    return {"BLENDER_USER_RESOURCES": str(folder), "BLENDER_USER_SCRIPTS": str(Path(folder) / "scripts")}
-
-
 def install(zip_path):
     """Installs and enables the zip through Blender's own operators."""
     if EXTENSIONS:

@@ -81,14 +81,6 @@ class Change:
         return max((int(each.max()) + 1 for each in lists if each.size), default=0)
 
     @cached_property
-    def _nearest(self) -> NDArray[np.intp]:
-        """Per new vertex the parent with the largest weight."""
-        if len(self.parents) == 0:
-            return np.empty(0, np.intp)
-        heaviest: NDArray[np.intp] = self.parents[np.arange(len(self.parents)), self.weights.argmax(axis=1)]
-        return heaviest
-
-    @cached_property
     def _faces_near(self) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
         """Per new face nine faces before, the first one at each parent of each corner, and their weights."""
         every = np.zeros((len(self.kept_vertices), 3))
