@@ -553,7 +553,7 @@ struct fill_options : fairmesh_fill_options {
     void only_in_ball(const std::array<double, 3> &centre, double radius) {
         filter.within = fairmesh_place{};
         filter.within.kind = FAIRMESH_PLACE_KIND_BALL;
-        for (int k = 0; k < 3; ++k) filter.within.centre[k] = centre[k];
+        std::copy(centre.begin(), centre.end(), filter.within.centre);
         filter.within.radius = radius;
     }
 
@@ -561,10 +561,8 @@ struct fill_options : fairmesh_fill_options {
     void only_in_box(const std::array<double, 3> &low, const std::array<double, 3> &high) {
         filter.within = fairmesh_place{};
         filter.within.kind = FAIRMESH_PLACE_KIND_BOX;
-        for (int k = 0; k < 3; ++k) {
-            filter.within.low[k] = low[k];
-            filter.within.high[k] = high[k];
-        }
+        std::copy(low.begin(), low.end(), filter.within.low);
+        std::copy(high.begin(), high.end(), filter.within.high);
     }
 
     /** The C struct, with the lists; as long as this lives. */

@@ -817,6 +817,28 @@ static void guides(const Ball *ball, uint32_t from, uint32_t to) {
     CHECK(error.element_kind == FAIRMESH_ELEMENT_EDGE);
 }
 
+/* Every list and struct that a call can have, at once: there is room for them. */
+static void all_lists_at_once(const Ball *ball, const fairmesh_indices *from, const fairmesh_indices *to) {
+    static const uint32_t zero[1] = {0}, pair[2] = {0, 1};
+    const uint32_t *rim = from->data;
+    const double one = 1.0;
+    fairmesh_options options = quick();
+    fairmesh_fill_options fill = filling();
+    fairmesh_bridge_options how;
+    fairmesh_result *result = NULL;
+    OK(fairmesh_bridge_options_init(&how, sizeof how));
+    fill.loops = fill.join.loops = fill.join.starts = fill.filter.components = indices_of(zero, 1);
+    fill.join.kind = FAIRMESH_JOIN_KIND_GROUPS;
+    fill.guides = indices_of(pair, 1);
+    options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
+    options.boundary_normals.vectors = points_of(ball->positions + 3 * rim[0], 1);
+    options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
+    options.boundary_curvature.values = options.loop_continuity.values = numbers_of(&one, 1);
+    options.boundary_normals.vertices = options.boundary_curvature.vertices = options.loop_continuity.vertices = indices_of(rim, 1);
+    OK(fairmesh_bridge(&ball->mesh, from, to, &how, &fill, &options, &result, &error));
+    OK(fairmesh_result_free(result));
+}
+
 /* A strip between the two caps, and the rest filled; guides; chains that are none. */
 static void bridges(void) {
     Ball *ball = (Ball *)must(malloc(sizeof *ball));
@@ -832,6 +854,7 @@ static void bridges(void) {
     }
     strip_alone(ball, &from, &to);
     strip_and_rest(ball, &from, &to);
+    all_lists_at_once(ball, &from, &to);
     ends[1][1] = 0;
     CHECK(fairmesh_bridge(&ball->mesh, &from, &to, NULL, NULL, &options, &result, &error) == FAIRMESH_STATUS_BAD_CHAIN);
     CHECK(error.element_kind == FAIRMESH_ELEMENT_VERTEX && error.element == 0);
