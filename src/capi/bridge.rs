@@ -9,7 +9,7 @@ use super::options::{OptionsIn, refused};
 use super::outputs::{ResultOut, with_memory};
 use super::patch_sizes;
 use super::report;
-use super::results::{Content, Lists};
+use super::results::Content;
 use super::status::*;
 use super::types::*;
 use super::views::*;
@@ -91,14 +91,12 @@ fn content(of: Bridged, given: [usize; 2]) -> Content {
     let bridge = Some(report::bridge(&of));
     let kind = fairmesh_result_kind::Bridged;
     let mut made = Content::mesh(kind, of.positions, of.triangles, &of.parents, given)
-        .with_patches([of.strip].into_iter().chain(of.rest).collect());
+        .with_patches([of.strip].into_iter().chain(of.rest).collect())
+        .each(fairmesh_list::BridgeChain, "chain", of.chains.into())
+        .each(fairmesh_list::BridgeSide, "side", of.sides.into());
     let whole = of.whole;
     made.reports
         .push(whole.ok_or("report of all that is new together: it was not faired so"));
-    made.lists.extend([
-        (fairmesh_list::BridgeChain, Lists::Each("chain", of.chains.into())),
-        (fairmesh_list::BridgeSide, Lists::Each("side", of.sides.into())),
-    ]);
     Content { bridge, ..made }
 }
 

@@ -6,7 +6,7 @@ use super::guard::guarded;
 use super::input::{MeshIn, optional_list_in};
 use super::memory_bounds;
 use super::outputs::ResultOut;
-use super::results::{Content, Lists};
+use super::results::Content;
 use super::status::*;
 use super::types::*;
 use super::views::*;
@@ -66,10 +66,8 @@ fn content(points: &[Option<Carried>]) -> Content {
     let weights = places().map(|of| of.parents.weights).collect();
     Content {
         vectors: Some((fairmesh_vectors::ParentWeights, weights)),
-        lists: vec![
-            (fairmesh_list::CarriedTriangles, Lists::One(triangles)),
-            (fairmesh_list::Parents, Lists::One(corners)),
-        ],
         ..Content::new(fairmesh_result_kind::Carried, sizes)
+            .one(fairmesh_list::CarriedTriangles, triangles)
+            .one(fairmesh_list::Parents, corners)
     }
 }

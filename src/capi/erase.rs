@@ -6,7 +6,7 @@ use super::guard::guarded;
 use super::input::{MeshIn, list_in, optional_list_in};
 use super::memory_bounds;
 use super::outputs::{ResultOut, of_whole_mesh};
-use super::results::{Content, Lists, as_list};
+use super::results::{Content, as_list};
 use super::status::*;
 use super::types::*;
 use super::views::*;
@@ -14,8 +14,6 @@ use fairmesh::{
     BoundaryLoop, Error, LoopKind, TrimLimits, boundary_loops_joined, erase_and_clean, triangle_components,
     trim_boundary,
 };
-
-use fairmesh_list as List;
 
 /// Deletes triangles, and what would hang loose where they were, so that new patches can take their place. The list KEPT_TRIANGLES of
 /// the result is the mesh that is left, its vertices being those given, used or not; the list ERASED_LOOPS has the loops to be filled
@@ -50,13 +48,9 @@ pub extern "C" fn fairmesh_erase(
                 cleaned_count: left.cleaned as u64,
                 ..fairmesh_info::default()
             };
-            Ok(Content {
-                lists: vec![
-                    (List::KeptTriangles, Lists::One(left.kept)),
-                    (List::ErasedLoops, Lists::One(as_list(&left.loops))),
-                ],
-                ..Content::new(fairmesh_result_kind::Erased, sizes)
-            })
+            Ok(Content::new(fairmesh_result_kind::Erased, sizes)
+                .one(fairmesh_list::KeptTriangles, left.kept)
+                .one(fairmesh_list::ErasedLoops, as_list(&left.loops)))
         })
     })
 }
@@ -115,10 +109,8 @@ pub extern "C" fn fairmesh_trim_boundary(
                 dropped_area: trimmed.area,
                 ..fairmesh_info::default()
             };
-            Ok(Content {
-                lists: vec![(List::KeptTriangles, Lists::One(trimmed.kept))],
-                ..Content::new(fairmesh_result_kind::Trimmed, sizes)
-            })
+            Ok(Content::new(fairmesh_result_kind::Trimmed, sizes)
+                .one(fairmesh_list::KeptTriangles, trimmed.kept))
         })
     })
 }
@@ -154,10 +146,8 @@ pub extern "C" fn fairmesh_components(
                 component_count: of.iter().max().map_or(0, |last| u64::from(*last) + 1),
                 ..fairmesh_info::default()
             };
-            Ok(Content {
-                lists: vec![(List::TriangleComponents, Lists::One(of))],
-                ..Content::new(fairmesh_result_kind::Components, sizes)
-            })
+            Ok(Content::new(fairmesh_result_kind::Components, sizes)
+                .one(fairmesh_list::TriangleComponents, of))
         })
     })
 }

@@ -10,7 +10,7 @@ use super::option_structs::fairmesh_options;
 use super::options::OptionsIn;
 use super::outputs::*;
 use super::report;
-use super::results::{Content, Lists};
+use super::results::Content;
 use super::status::*;
 use super::types::*;
 use super::views::*;
@@ -162,10 +162,8 @@ pub extern "C" fn fairmesh_self_intersections(
         let bytes = memory_bounds::of_whole_mesh(&mesh, 0);
         result.put(bytes, &HostCallback::none(), |_| {
             let pairs = self_intersections(&positions, &triangles, among.as_deref())?.into_flattened();
-            Ok(Content {
-                lists: vec![(fairmesh_list::Intersections, Lists::One(pairs))],
-                ..Content::new(fairmesh_result_kind::Intersections, fairmesh_info::default())
-            })
+            let content = Content::new(fairmesh_result_kind::Intersections, fairmesh_info::default());
+            Ok(content.one(fairmesh_list::Intersections, pairs))
         })
     })
 }

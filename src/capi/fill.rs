@@ -10,7 +10,7 @@ use super::options::OptionsIn;
 use super::outputs::*;
 use super::patch_sizes::{self, PatchSizes};
 use super::report;
-use super::results::{Content, Lists, as_list};
+use super::results::{Content, as_list};
 use super::status::*;
 use super::types::*;
 use super::views::*;
@@ -59,28 +59,15 @@ fn of_loops(loops: Vec<BoundaryLoop>, roughness: &[Option<Roughness>]) -> Conten
         loop_count: loops.len() as u64,
         ..fairmesh_info::default()
     };
-    let rough = roughness
-        .iter()
-        .map(Option::as_ref)
-        .chain(std::iter::repeat(None));
-    let records = loops.iter().zip(rough);
-    let records = records
-        .map(|(of, rough)| report::boundary_loop(of, rough))
-        .collect();
+    let rough = |l: usize| roughness.get(l).and_then(Option::as_ref);
+    let records = (0..loops.len()).map(|l| report::boundary_loop(&loops[l], rough(l)));
+    let records = records.collect();
     let (vertices, touching) = loops.into_iter().map(|of| (of.vertices, of.touching)).unzip();
     Content {
         loops: records,
-        lists: vec![
-            (
-                fairmesh_list::LoopVertices,
-                Lists::Each("boundary loop", vertices),
-            ),
-            (
-                fairmesh_list::LoopTouching,
-                Lists::Each("boundary loop", touching),
-            ),
-        ],
         ..Content::new(fairmesh_result_kind::Loops, sizes)
+            .each(fairmesh_list::LoopVertices, "boundary loop", vertices)
+            .each(fairmesh_list::LoopTouching, "boundary loop", touching)
     }
 }
 
@@ -147,8 +134,11 @@ pub extern "C" fn fairmesh_suggest_joins(
             let loops = joins.iter().map(|of| as_list(&of.loops)).collect();
             Ok(Content {
                 suggestions: joins.iter().map(report::suggestion).collect(),
-                lists: vec![(fairmesh_list::JoinedLoops, Lists::Each("group of loops", loops))],
-                ..Content::new(fairmesh_result_kind::Joins, sizes)
+                ..Content::new(fairmesh_result_kind::Joins, sizes).each(
+                    fairmesh_list::JoinedLoops,
+                    "group of loops",
+                    loops,
+                )
             })
         })
     })

@@ -7,7 +7,7 @@ use super::input::MeshIn;
 use super::memory_bounds;
 use super::outputs::ResultOut;
 use super::report;
-use super::results::{Content, Lists, as_list};
+use super::results::{Content, as_list};
 use super::status::*;
 use super::types::*;
 use super::views::*;
@@ -141,11 +141,9 @@ pub extern "C" fn fairmesh_select_region(
             };
             Ok(Content {
                 bumps: region.bumps.iter().map(report::bump).collect(),
-                lists: vec![
-                    (fairmesh_list::RegionTriangles, Lists::One(region.triangles)),
-                    (fairmesh_list::RegionCounts, Lists::One(as_list(&region.counts))),
-                ],
                 ..Content::new(fairmesh_result_kind::Region, sizes)
+                    .one(fairmesh_list::RegionTriangles, region.triangles)
+                    .one(fairmesh_list::RegionCounts, as_list(&region.counts))
             })
         })
     })

@@ -85,6 +85,18 @@ impl Content {
         }
     }
 
+    /// With a list, whatever index it is asked for with.
+    pub(crate) fn one(mut self, which: List, list: Vec<u32>) -> Self {
+        self.lists.push((which, Lists::One(list)));
+        self
+    }
+
+    /// With a list for each of several things, which are called so.
+    pub(crate) fn each(mut self, which: List, what: &'static str, lists: Vec<Vec<u32>>) -> Self {
+        self.lists.push((which, Lists::Each(what, lists)));
+        self
+    }
+
     /// A mesh of which the first so many vertices and triangles are old ones; `parents` are those of the new vertices.
     pub(crate) fn mesh(
         kind: fairmesh_result_kind,
@@ -106,8 +118,7 @@ impl Content {
             positions: Some(positions),
             triangles: Some(triangles),
             vectors: Some((fairmesh_vectors::ParentWeights, weights)),
-            lists: vec![(List::Parents, Lists::One(parents))],
-            ..Self::new(kind, sizes)
+            ..Self::new(kind, sizes).one(List::Parents, parents)
         }
     }
 
@@ -123,12 +134,9 @@ impl Content {
             let report = of.fairing.ok_or("report of this loop: it was not faired");
             self.reports.push(report);
         }
-        self.lists.extend([
-            (List::Intersections, Lists::Each("filled loop", pairs)),
-            (List::OutsideVertices, Lists::Each("filled loop", outside)),
-            (List::JoinedLoops, Lists::Each("filled loop", joined)),
-        ]);
-        self
+        self.each(List::Intersections, "filled loop", pairs)
+            .each(List::OutsideVertices, "filled loop", outside)
+            .each(List::JoinedLoops, "filled loop", joined)
     }
 
     pub(crate) fn report(&self, index: u64) -> CallResult<&Report> {
@@ -194,9 +202,8 @@ impl From<Solution> for Content {
             positions: Some(of.positions),
             curvatures: Some([of.mean_curvature, of.gaussian_curvature]),
             vectors: Some((fairmesh_vectors::BoundaryNormals, normals)),
-            lists: vec![(List::BoundaryVertices, Lists::One(boundary))],
             reports: vec![Ok(of.report)],
-            ..Self::new(fairmesh_result_kind::Faired, sizes)
+            ..Self::new(fairmesh_result_kind::Faired, sizes).one(List::BoundaryVertices, boundary)
         }
     }
 }
@@ -205,13 +212,10 @@ impl From<Remeshed> for Content {
     fn from(of: Remeshed) -> Self {
         let kept = [of.kept_vertices.len(), of.kept_triangles.len()];
         let kind = fairmesh_result_kind::Remeshed;
-        let mut made = Self::mesh(kind, of.positions, of.triangles, &of.parents, kept);
-        made.lists.extend([
-            (List::FreeVertices, Lists::One(of.free)),
-            (List::KeptVertices, Lists::One(of.kept_vertices)),
-            (List::KeptTriangles, Lists::One(of.kept_triangles)),
-        ]);
-        made
+        Self::mesh(kind, of.positions, of.triangles, &of.parents, kept)
+            .one(List::FreeVertices, of.free)
+            .one(List::KeptVertices, of.kept_vertices)
+            .one(List::KeptTriangles, of.kept_triangles)
     }
 }
 
