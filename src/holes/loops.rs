@@ -4,22 +4,17 @@
 //! elsewhere (edges with three triangles, triangles that name a vertex twice, vertices of several fans) do not matter:
 //! a walk along the boundary only crosses edges with exactly two triangles that run through it in opposite directions.
 
-use std::f64::consts::{PI, TAU};
-
 use nalgebra::Vector3;
 
 use super::links::{BOUNDARY, Links};
+use super::turning::{Seen, turn};
 use crate::holes::singular_vertices::{BoundaryPlaces, HalfEdgeLoop};
 use crate::mesh::Joined;
 use crate::mesh::coincident::Coincident;
 use crate::mesh::disjoint_sets::DisjointSets;
-use crate::mesh::halfedge::{next, previous};
+use crate::mesh::halfedge::next;
 use crate::support::error::Error;
 use crate::support::table::table;
-
-/// A surface that has to turn by more than this to close the loop would lie on the mesh itself: 135 degrees.
-/// Of 45 cases, half: 9 change, -39 % iterations, 2 more succeed; double: 4 change, +14 % iterations, 3 fail.
-const OUTER_TURN: f64 = 0.75 * PI;
 
 /// What kind of gap a loop is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,7 +23,7 @@ pub enum LoopKind {
     /// A gap in the surface.
     Hole,
     /// The loop encloses the mesh rather than a gap, like the outer boundary of an open sheet: a smooth surface over it would
-    /// have to turn back by more than 135 degrees. Filled only if it is named.
+    /// have to turn back by more than 150 degrees, by the median of the loop and four curves inside. Filled only if it is named.
     OuterBoundary,
     /// The walk along the boundary met an edge that has three triangles or more, or two that run through it in the same
     /// direction. Never filled.
@@ -200,16 +195,22 @@ impl Links<'_> {
         if found.is_empty() {
             return Vec::new();
         }
+        let components = self.components();
+        let mut sizes = vec![0; components.iter().max().map_or(0, |&last| last as usize + 1)];
+        components.iter().for_each(|&c| sizes[c as usize] += 1);
+        let component_of = |run: &[u32]| components[run[0] as usize / 3] as usize;
+        let mut seen = Seen::new(self.outgoing.len());
         let mut places = self.places(&found, positions, coincident);
         found = found
             .into_iter()
             .flat_map(|(run, bad)| match bad {
                 // A sheet that is rolled until its corners touch has one outer boundary still.
-                None if places.has_any() && self.turn(&run, positions) <= OUTER_TURN => self
-                    .parted(run, &mut places, &mut place)
-                    .into_iter()
-                    .map(|run| (run, None))
-                    .collect(),
+                None if places.has_any()
+                    && !self.is_outer(&run, positions, sizes[component_of(&run)], &mut seen) =>
+                {
+                    let parts = self.parted(run, &mut places, &mut place);
+                    parts.into_iter().map(|run| (run, None)).collect()
+                }
                 bad => vec![(run, bad)],
             })
             .collect();
@@ -219,12 +220,18 @@ impl Links<'_> {
             let v = self.origin(next(h)) as usize;
             visits[v] = visits[v].saturating_add(1);
         }
-        let components = self.components();
-        let mut sizes = vec![0; components.iter().max().map_or(0, |&last| last as usize + 1)];
-        components.iter().for_each(|&c| sizes[c as usize] += 1);
         found
             .into_iter()
-            .map(|(run, bad)| self.measure(run, bad, positions, (&places, &visits), (&components, &sizes)))
+            .map(|(run, bad)| {
+                let component = component_of(&run);
+                let is_outer = self.is_outer(&run, positions, sizes[component], &mut seen);
+                BoundaryLoop {
+                    kind: self.kind(bad, is_outer),
+                    component,
+                    component_triangles: sizes[component],
+                    ..self.measure(run, positions, &places, &visits)
+                }
+            })
             .collect()
     }
 
@@ -272,12 +279,10 @@ impl Links<'_> {
     fn measure(
         &self,
         run: Vec<u32>,
-        bad: Option<u32>,
         positions: &[[f64; 3]],
-        (places, visits): (&BoundaryPlaces, &[u8]),
-        (components, sizes): (&[u32], &[usize]),
+        places: &BoundaryPlaces,
+        visits: &[u8],
     ) -> BoundaryLoop {
-        let component = components[run[0] as usize / 3] as usize;
         let vertices: Vec<u32> = run.iter().map(|&h| self.origin(next(h))).collect();
         let at = |v: u32| Vector3::from(positions[v as usize]);
         let first = at(vertices[0]);
@@ -287,7 +292,7 @@ impl Links<'_> {
             length += (q - p).norm();
             area += 0.5 * p.cross(&q);
         }
-        let turn = self.turn(&run, positions);
+        let turn = turn(self.turning(&run, positions));
         let mut touching = vertices.clone();
         touching.retain(|&v| visits[v as usize] > 1 || places.is_pinch(v));
         BoundaryLoop {
@@ -296,24 +301,15 @@ impl Links<'_> {
             area: area.norm(),
             turn: turn.to_degrees(),
             touching,
-            kind: self.kind(bad, turn),
-            component,
-            component_triangles: sizes[component],
+            kind: LoopKind::Hole,
+            component: 0,
+            component_triangles: 0,
             half_edges: run,
         }
     }
 
-    /// [`BoundaryLoop::turn`], in radians.
-    fn turn(&self, run: &[u32], positions: &[[f64; 3]]) -> f64 {
-        let n = run.len();
-        let exterior = |i: usize| PI - self.angle(run[i], run[(i + 1) % n], positions);
-        // Seen from the mesh.
-        let turning: f64 = (0..n).map(exterior).sum();
-        libm::acos((-turning / TAU).clamp(-1.0, 1.0))
-    }
-
     /// The kind of a loop whose walk met a `bad` edge, or none.
-    fn kind(&self, bad: Option<u32>, turn: f64) -> LoopKind {
+    fn kind(&self, bad: Option<u32>, is_outer: bool) -> LoopKind {
         match bad {
             Some(g) => {
                 let (a, b) = (self.origin(g), self.origin(next(g)));
@@ -322,26 +318,8 @@ impl Links<'_> {
                     b: a.max(b),
                 }
             }
-            None if turn > OUTER_TURN => LoopKind::OuterBoundary,
+            None if is_outer => LoopKind::OuterBoundary,
             None => LoopKind::Hole,
-        }
-    }
-
-    /// The angle of the mesh at `h`'s origin between the boundary half-edges `h` and `after`. Where the loop leaves `h`'s fan
-    /// (a bow-tie), what the gap leaves of a full turn.
-    fn angle(&self, h: u32, after: u32, positions: &[[f64; 3]]) -> f64 {
-        let at = |v: u32| Vector3::from(positions[v as usize]);
-        let v = at(self.origin(h));
-        let between = |a: u32, b: u32| {
-            let (a, b) = (at(a) - v, at(b) - v);
-            libm::atan2(a.cross(&b).norm(), a.dot(&b))
-        };
-        let mut sum = 0.0;
-        let last = self.follow(h, |g| sum += between(self.origin(g), self.origin(previous(g))));
-        if last == Ok(after) {
-            sum
-        } else {
-            TAU - between(self.origin(next(h)), self.origin(after))
         }
     }
 }

@@ -44,6 +44,7 @@ mod tree_triangle;
 mod triangle_owner;
 mod triangulate;
 mod trim;
+mod turning;
 
 pub use bridge::{BridgeOptions, bridge, bridge_with_progress};
 pub use bridged::Bridged;

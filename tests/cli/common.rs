@@ -48,7 +48,16 @@ pub fn is_free(v: usize) -> bool {
 
 /// A grid on the unit sphere; the free vertices are pushed inwards and sideways.
 pub fn cap() -> Vec<[f64; 3]> {
-    let at = |k: usize| 1.2 * k as f64 / (SIDE - 1) as f64 - 0.6;
+    cap_of(0.6)
+}
+
+/// A smaller one: its boundary encloses a sheet, and no hole.
+pub fn sheet() -> Vec<[f64; 3]> {
+    cap_of(0.4)
+}
+
+fn cap_of(half: f64) -> Vec<[f64; 3]> {
+    let at = |k: usize| 2.0 * half * k as f64 / (SIDE - 1) as f64 - half;
     let vertex = |v: usize| {
         let (x, y) = (at(v % SIDE), at(v / SIDE));
         let z = (1.0 - x * x - y * y).sqrt();

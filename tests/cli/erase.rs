@@ -231,6 +231,8 @@ fn dropping_components_leaves_the_rows_of_the_others() {
         "out.ply",
         "--drop-components-below",
         "2",
+        "--max-edges",
+        "3",
         "--json",
         "r.json",
     ];

@@ -13,7 +13,7 @@ struct Sample {
 }
 
 fn vertex_lines(end: &str) -> String {
-    cap()
+    sheet()
         .iter()
         .map(|[x, y, z]| format!("{x} {y} {z}{end}"))
         .collect()
@@ -34,7 +34,7 @@ fn ply_header() -> String {
 }
 
 fn stl() -> String {
-    let positions = cap();
+    let positions = sheet();
     let mut text = "solid a cap\n".to_owned();
     for [a, b, c, d] in quads() {
         for corners in [[a, b, c], [a, c, d]] {
@@ -53,7 +53,7 @@ fn samples() -> [Sample; 4] {
     let counts = format!("{} {} 0\n", SIDE * SIDE, quads().len());
     let sample = |name, text, region| Sample { name, text, region };
     [
-        sample("cap.obj", obj(&cap()), ["--faces", "faces.txt"]),
+        sample("cap.obj", obj(&sheet()), ["--faces", "faces.txt"]),
         sample(
             "cap.off",
             format!("OFF\n{counts}{}{}", vertex_lines("\n"), face_lines("\n")),
@@ -190,7 +190,7 @@ fn new_rows_stand_behind_rows_without_lines() {
 
 /// A binary STL with these bytes behind its triangles, and this number of triangles in its head.
 fn binary_stl(count: impl Fn(u32) -> u32, behind: &[u8]) -> Vec<u8> {
-    let positions = cap();
+    let positions = sheet();
     let mut bytes = b"solid, though binary".to_vec();
     bytes.resize(80, b' ');
     bytes.extend_from_slice(&count(2 * quads().len() as u32).to_le_bytes());

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::fs;
 
 use crate::common::{
-    SIDE, cap, directory, expect, fairmesh, is_selected, obj, off_sphere, quads, write_lists,
+    SIDE, directory, expect, fairmesh, is_selected, obj, off_sphere, quads, sheet, write_lists,
 };
 use serde_json::Value;
 
@@ -19,7 +19,7 @@ fn holed_ply() -> String {
     kept.iter().flatten().for_each(|&v| used[v] = true);
     let mut number = vec![0; used.len()];
     let mut count = 0;
-    for (v, [x, y, z]) in cap().into_iter().enumerate().filter(|(v, _)| used[*v]) {
+    for (v, [x, y, z]) in sheet().into_iter().enumerate().filter(|(v, _)| used[*v]) {
         number[v] = count;
         count += 1;
         let red = 100 + v % 2;
@@ -102,7 +102,7 @@ fn holes_are_listed_and_filled_with_all_other_bytes_kept() {
 fn obj_gets_lines_and_other_formats_are_written_anew() {
     let directory = directory("fill_obj");
     // Without two quads in the middle.
-    let text = obj(&cap());
+    let text = obj(&sheet());
     let middle = SIDE / 2;
     let quad = (SIDE - 1) * middle + middle;
     let lines: Vec<&str> = text.lines().collect();
@@ -142,7 +142,7 @@ fn obj_gets_lines_and_other_formats_are_written_anew() {
 #[test]
 fn a_region_can_be_triangulated_anew_before_it_is_faired() {
     let directory = directory("remesh");
-    fs::write(directory.join("in.obj"), obj(&cap())).unwrap();
+    fs::write(directory.join("in.obj"), obj(&sheet())).unwrap();
     write_lists(&directory);
     let args = [
         "fair",
@@ -187,10 +187,10 @@ fn near(found: &[f64], position: &[f64]) -> bool {
 fn obj_gets_colours_and_texture_coordinates_of_the_boundary() {
     let directory = directory("fill_obj_texture");
     let mut text = String::new();
-    for [x, y, z] in cap() {
+    for [x, y, z] in sheet() {
         let _ = writeln!(text, "v {x} {y} {z} 0.25 {} 1", 0.5 + 0.5 * x);
     }
-    for p in cap() {
+    for p in sheet() {
         let [u, v] = texture(p);
         let _ = writeln!(text, "vt {u} {v}");
     }
@@ -236,7 +236,7 @@ fn ply_gets_texture_coordinates_of_wedges() {
         SIDE * SIDE,
         kept.len()
     );
-    let x = cap();
+    let x = sheet();
     x.iter().for_each(|[x, y, z]| _ = writeln!(text, "{x} {y} {z}"));
     for q in &kept {
         let _ = write!(text, "4 {} {} {} {} 8", q[0], q[1], q[2], q[3]);
@@ -268,7 +268,7 @@ fn ply_gets_texture_coordinates_of_wedges() {
 #[test]
 fn off_and_stl_are_filled_in_their_own_format() {
     let directory = directory("fill_own_format");
-    let lines: Vec<String> = obj(&cap()).lines().map(str::to_owned).collect();
+    let lines: Vec<String> = obj(&sheet()).lines().map(str::to_owned).collect();
     let first = lines.iter().position(|l| l.starts_with("f ")).unwrap();
     let kept = lines
         .iter()

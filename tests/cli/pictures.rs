@@ -298,7 +298,7 @@ fn several_meshes_have_a_picture_each() {
 #[test]
 fn a_hole_that_is_filled_and_a_bridge_are_shown() {
     let directory = directory("pictures-filled");
-    let open: String = obj(&cap())
+    let open: String = obj(&crate::common::sheet())
         .lines()
         .enumerate()
         .filter(|(k, _)| !(320..324).contains(k))

@@ -42,7 +42,7 @@ fn sphere(n: usize, sampling: Sampling) -> Mesh {
     cut(&sphere_with_hole(1.0, n, sampling, 0), |p| p[2] < 0.5)
 }
 
-fn largest(x: &[[f64; 3]], t: &[[u32; 3]]) -> usize {
+pub(crate) fn largest(x: &[[f64; 3]], t: &[[u32; 3]]) -> usize {
     let loops = boundary_loops(x, t).unwrap();
     (0..loops.len()).max_by_key(|&l| loops[l].vertices.len()).unwrap()
 }

@@ -29,6 +29,7 @@ mod join;
 mod live;
 mod long;
 mod outcomes;
+mod outer_boundaries;
 mod paper;
 mod refill;
 mod regions;

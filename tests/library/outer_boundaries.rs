@@ -1,0 +1,93 @@
+//! Holes are told from outer boundaries, with noise too.
+
+use fairmesh::{LoopKind, boundary_loops};
+use fairmesh_shapes::{Sampling, sphere_with_hole};
+
+use crate::holes::largest;
+
+type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
+
+/// A number in -1..1 for each index, of no pattern.
+fn noise(seed: u64, index: usize) -> f64 {
+    let mut z = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (index as u64).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 31)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z = (z ^ (z >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    ((z ^ (z >> 32)) >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+}
+
+/// A grid of 30 by 30 vertices over a square of side 2, as the graph of a function.
+fn sheet(height: fn(f64, f64) -> f64) -> Mesh {
+    let x = (0..900).map(|v| {
+        let [p, q] = [v % 30, v / 30].map(|i| f64::from(i) / 14.5 - 1.0);
+        [p, q, height(p, q)]
+    });
+    let corners = (0..29).flat_map(|j| (0..29).map(move |i| 30 * j + i));
+    let triangles = corners.flat_map(|a| [[a, a + 1, a + 31], [a, a + 31, a + 30]]);
+    (x.collect(), triangles.collect())
+}
+
+/// The unit sphere with a hole of so many degrees, half across.
+fn sphere(degrees: f64) -> Mesh {
+    let shape = sphere_with_hole(degrees, 1000, Sampling::Regular, 0);
+    (shape.positions, shape.triangles)
+}
+
+/// The mesh with its vertices moved by noise of `amplitude` mean edges, root of the mean square: all, or those of the largest loop.
+fn with_noise((x, t): &Mesh, amplitude: f64, only_rim: bool, seed: u64) -> Mesh {
+    let length = |t: &[u32; 3]| {
+        let [p, q] = [x[t[0] as usize], x[t[1] as usize]];
+        (0..3).map(|c| (p[c] - q[c]).powi(2)).sum::<f64>().sqrt()
+    };
+    let edge = t.iter().map(length).sum::<f64>() / t.len() as f64;
+    let loops = boundary_loops(x, t).unwrap();
+    let mut rim = vec![!only_rim; x.len()];
+    for &v in &loops[largest(x, t)].vertices {
+        rim[v as usize] = true;
+    }
+    let mut moved = x.clone();
+    for v in (0..x.len()).filter(|&v| rim[v]) {
+        for c in 0..3 {
+            moved[v][c] += 3f64.sqrt() * amplitude * edge * noise(seed, 3 * v + c);
+        }
+    }
+    (moved, t.clone())
+}
+
+fn check(name: &str, mesh: &Mesh, kind: LoopKind, amplitude: f64, only_rim: bool) {
+    for seed in 1..=3 {
+        let (x, t) = with_noise(mesh, amplitude, only_rim, seed);
+        let found = boundary_loops(&x, &t).unwrap()[largest(&x, &t)].kind;
+        assert_eq!(
+            found, kind,
+            "{name}, noise {amplitude}, only at the rim: {only_rim}"
+        );
+    }
+}
+
+/// Noise at the rim turned holes of 60 degrees into outer boundaries, and a hilly sheet into a hole without any.
+#[test]
+fn noisy_holes_are_holes_and_noisy_sheets_have_outer_boundaries() {
+    for amplitude in [0.0, 0.1, 0.25, 0.4] {
+        for (name, mesh) in [("60 degrees", sphere(60.0)), ("110 degrees", sphere(110.0))] {
+            check(name, &mesh, LoopKind::Hole, amplitude, true);
+            check(name, &mesh, LoopKind::Hole, amplitude, false);
+        }
+        for (name, mesh) in [
+            ("plane", sheet(|_, _| 0.0)),
+            ("bowl", sheet(|p, q| 0.15 * (p * p + q * q))),
+            ("saddle", sheet(|p, q| 0.5 * (p * p - q * q))),
+            ("hills", sheet(|p, q| 0.2 * (5.0 * p).sin() * (4.0 * q).cos())),
+        ] {
+            check(name, &mesh, LoopKind::OuterBoundary, amplitude, true);
+            check(name, &mesh, LoopKind::OuterBoundary, amplitude.min(0.1), false);
+        }
+    }
+}
+
+#[test]
+fn a_hole_of_140_degrees_is_a_hole() {
+    for amplitude in [0.0, 0.1] {
+        check("140 degrees", &sphere(140.0), LoopKind::Hole, amplitude, true);
+        check("140 degrees", &sphere(140.0), LoopKind::Hole, amplitude, false);
+    }
+}
