@@ -46,8 +46,8 @@ fn with_noise((x, t): &Mesh, amplitude: f64, only_rim: bool, seed: u64) -> Mesh 
     }
     let mut moved = x.clone();
     for v in (0..x.len()).filter(|&v| rim[v]) {
-        for c in 0..3 {
-            moved[v][c] += 3f64.sqrt() * amplitude * edge * noise(seed, 3 * v + c);
+        for (c, coordinate) in moved[v].iter_mut().enumerate() {
+            *coordinate += 3f64.sqrt() * amplitude * edge * noise(seed, 3 * v + c);
         }
     }
     (moved, t.clone())
