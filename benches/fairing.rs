@@ -19,7 +19,7 @@ use std::path::Path;
 use std::process::Command;
 
 use fairmesh::{
-    BoundaryNormals, Discretization, Options, PaperOptions, Report, Selection, Solution, Solver, fair,
+    BoundaryNormals, Discretization, Options, PaperOptions, Report, Selection, Solution, SolverKind, fair,
 };
 use fairmesh_shapes::{OUTSIDE, Sampling, Shape, cylinder_band, cylinder_blend_fine, sphere_cap};
 
@@ -75,7 +75,7 @@ fn against_the_papers_solver() {
         defect: 2e-3,
         ..PaperOptions::default()
     };
-    let [paper, fast] = [Solver::Paper(paper), Solver::Fast].map(|solver| {
+    let [paper, fast] = [SolverKind::Paper(paper), SolverKind::Fast].map(|solver| {
         let options = Options {
             boundary_normals: BoundaryNormals::Given(normals.clone()),
             discretization: Discretization::Paper,

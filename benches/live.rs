@@ -12,7 +12,7 @@
 
 use std::time::Instant;
 
-use fairmesh::{BoundaryNormals, Budget, Edit, Options, Selection, Session, fair};
+use fairmesh::{BoundaryNormals, Budget, Edit, Options, Selection, Solver, fair};
 use fairmesh_shapes::{
     OUTSIDE, Sampling, Shape, catenoid_band, cylinder_blend_of, sphere_cap, sphere_with_hole, tetra_thing_of,
 };
@@ -154,9 +154,9 @@ fn measure(name: &str, shape: &Shape, drag: &Drag, threads: usize) {
         ..Options::default()
     };
     let selection = Selection::Mask(&shape.free);
-    let mut session =
-        Session::new(&shape.positions, &shape.triangles, selection, &options).expect("a sound problem");
-    session.finish(None).expect("a sound problem");
+    let mut solver =
+        Solver::new(&shape.positions, &shape.triangles, selection, &options).expect("a sound problem");
+    solver.finish(None).expect("a sound problem");
     let (mut evaluations, mut times, mut open) = (Vec::new(), Vec::new(), 0);
     let there = (1..=FRAMES).map(|k| f64::from(k) / f64::from(FRAMES));
     let back = (0..FRAMES).rev().map(|k| f64::from(k) / f64::from(FRAMES));
@@ -164,13 +164,13 @@ fn measure(name: &str, shape: &Shape, drag: &Drag, threads: usize) {
     let mut cold = (0, f64::NAN);
     for (k, s) in there.chain(back).enumerate() {
         let clock = Instant::now();
-        session.edit(&[(drag.at)(s)]).expect("a sound edit");
-        let frame = session.update(&Budget::default()).expect("a frame");
+        solver.edit(&[(drag.at)(s)]).expect("a sound edit");
+        let frame = solver.update(&Budget::default()).expect("a frame");
         times.push(1e3 * clock.elapsed().as_secs_f64());
         evaluations.push(frame.evaluations as f64);
         open += usize::from(!frame.is_settled);
         if k + 1 == FRAMES as usize {
-            (away, cold) = against_cold(&mut session, shape, &options);
+            (away, cold) = against_cold(&mut solver, shape, &options);
         }
     }
     println!(
@@ -185,8 +185,8 @@ fn measure(name: &str, shape: &Shape, drag: &Drag, threads: usize) {
 }
 
 /// Finishes, and solves the same data afresh. Returns the largest distance, the iterations and milliseconds of the fresh solve.
-fn against_cold(session: &mut Session, shape: &Shape, options: &Options) -> (f64, (usize, f64)) {
-    let finished = session.finish(None).expect("a surface");
+fn against_cold(solver: &mut Solver, shape: &Shape, options: &Options) -> (f64, (usize, f64)) {
+    let finished = solver.finish(None).expect("a surface");
     let edited = Options {
         boundary_normals: BoundaryNormals::Given(finished.boundary_normals.clone()),
         ..options.clone()

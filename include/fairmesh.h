@@ -214,7 +214,7 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_NO_BUMP = 39,
     /**
-     * An edit of a session has a number that is not finite, or moves a free vertex.
+     * An edit of a solver has a number that is not finite, or moves a free vertex.
      */
     FAIRMESH_STATUS_BAD_EDIT = 40,
     /**

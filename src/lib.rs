@@ -33,7 +33,7 @@ pub use fairing::{
     Attempt, AttemptEnd, BoundaryCurvature, BoundaryNormals, Budget, Coincident, ComponentReport,
     CurvatureContinuity, Discretization, Edit, Frame, InnerFairness, InteriorNormals, Intersections,
     LooseReason, Options, Outcome, OutputPrecision, Progress, ProgressCallback, Report, Seconds, Selection,
-    SelfIntersections, Session, Solution, Solver, Target, fair, fair_with_progress,
+    SelfIntersections, Solution, Solver, SolverKind, Target, fair, fair_with_progress,
 };
 pub use holes::{
     BoundaryLoop, BridgeOptions, Bridged, Carried, Erased, FillOptions, FillOutcome, Filled, FlatReason,

@@ -21,7 +21,7 @@ pub extern "C" fn fairmesh_solver_edit(
 ) -> fairmesh_status {
     with_solver(solver, error, |solver, call| {
         let edits = edits::edits(edits, edit_count, solver.vertices, call)?;
-        solver.work(|session, _| Ok(session.edit(&edits)?))
+        solver.work(|solver, _| Ok(solver.edit(&edits)?))
     })
 }
 
@@ -38,7 +38,7 @@ pub extern "C" fn fairmesh_solver_update(
     with_solver(solver, error, |solver, call| {
         let limit = budget(limit, Argument(2), call)?;
         put_record(frame, Argument(3), call, || {
-            let told = solver.work(|session, _| Ok(session.update(&limit)?))?;
+            let told = solver.work(|solver, _| Ok(solver.update(&limit)?))?;
             Ok(fairmesh_frame {
                 struct_size: size_of::<fairmesh_frame>() as u32,
                 is_settled: told.is_settled.into(),
@@ -60,7 +60,7 @@ pub extern "C" fn fairmesh_solver_finish(
     with_solver(solver, error, |solver, call| {
         let out = StructOut::optional(report, Argument(2), call)?;
         call.end(Argument(3))?;
-        let told = solver.work(|session, tell| Ok(report::report(&session.finish(Some(tell))?.report)))?;
+        let told = solver.work(|solver, tell| Ok(report::report(&solver.finish(Some(tell))?.report)))?;
         out.iter().for_each(|out| out.write(&told));
         Ok(())
     })
@@ -76,7 +76,7 @@ pub extern "C" fn fairmesh_solver_bulge_range(
 ) -> fairmesh_status {
     with_solver(solver, error, |solver, call| {
         put_record(range, Argument(2), call, || {
-            let [low, high] = solver.work(|session, tell| Ok(session.bulge_range(Some(tell))?))?;
+            let [low, high] = solver.work(|solver, tell| Ok(solver.bulge_range(Some(tell))?))?;
             Ok(fairmesh_bulge_range {
                 struct_size: size_of::<fairmesh_bulge_range>() as u32,
                 reserved: 0,

@@ -85,7 +85,7 @@ pub enum fairmesh_status {
     NoFairPatch = 38,
     /// The curvature does not tell where a bump ends.
     NoBump = 39,
-    /// An edit of a session has a number that is not finite, or moves a free vertex.
+    /// An edit of a solver has a number that is not finite, or moves a free vertex.
     BadEdit = 40,
     /// A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     Internal = 99,

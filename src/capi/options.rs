@@ -7,7 +7,7 @@ use super::option_structs::fairmesh_options;
 use super::status::{CallResult, Failure};
 use super::types::*;
 use super::views::{Argument, Call, FieldPath, check_reserved, field, refuse};
-use fairmesh::{Error, Estimate, Options, PaperOptions, Solver, Target};
+use fairmesh::{Error, Estimate, Options, PaperOptions, SolverKind, Target};
 
 /// Where the options are that the library's errors name.
 fn place_of(argument: Argument, option: &str) -> Option<FieldPath> {
@@ -75,7 +75,7 @@ impl OptionsIn {
 
     /// For `fairmesh_solver_new`.
     pub(crate) fn check_fast(&self, argument: Argument) -> CallResult {
-        if self.options.solver == Solver::Fast {
+        if self.options.solver == SolverKind::Fast {
             return Ok(());
         }
         Err(
@@ -124,17 +124,17 @@ pub(crate) fn target(view: &fairmesh_target, base: FieldPath) -> CallResult<Targ
     )
 }
 
-fn solver(view: &fairmesh_options, argument: Argument) -> CallResult<Solver> {
+fn solver(view: &fairmesh_options, argument: Argument) -> CallResult<SolverKind> {
     let kind = choose(
-        [Solver::Fast, Solver::Paper(PaperOptions::default())],
+        [SolverKind::Fast, SolverKind::Paper(PaperOptions::default())],
         |kind| kind.entry().number(),
         view.solver,
         "fairmesh_solver_kind",
         field!(argument, fairmesh_options.solver),
     )?;
     match kind {
-        Solver::Fast => Ok(Solver::Fast),
-        Solver::Paper(_) => Ok(Solver::Paper(PaperOptions {
+        SolverKind::Fast => Ok(SolverKind::Fast),
+        SolverKind::Paper(_) => Ok(SolverKind::Paper(PaperOptions {
             estimate: estimate(view, argument)?,
             ..view.read_paper_options(argument)?
         })),

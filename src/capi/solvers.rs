@@ -10,35 +10,35 @@ use super::outputs::with_memory;
 use super::status::{CallResult, Failure, fairmesh_error, fairmesh_status as Status};
 use super::types::fairmesh_solver;
 use super::views::{Argument, Call};
-use fairmesh::{ProgressCallback, Session};
+use fairmesh::{ProgressCallback, Solver};
 
 /// One user at a time. Who panics with the lock poisons it.
-pub(crate) struct Shared(Mutex<Solver>);
+pub(crate) struct Shared(Mutex<HeldSolver>);
 
-pub(crate) struct Solver {
-    pub session: Session,
+pub(crate) struct HeldSolver {
+    pub solver: Solver,
     pub callback: HostCallback,
     pub vertices: usize,
     /// What each call sets aside.
     pub need: usize,
-    /// For the thread that waits between the calls. Last, so that it outlives the session.
+    /// For the thread that waits between the calls. Last, so that it outlives the solver.
     pub _standing: Reserve,
 }
 
-impl Solver {
-    /// Works with the session, with memory set aside, and with what tells the host how far it is.
+impl HeldSolver {
+    /// Works with the solver, with memory set aside, and with what tells the host how far it is.
     pub(crate) fn work<T>(
         &mut self,
-        work: impl FnOnce(&mut Session, &mut ProgressCallback<'_>) -> CallResult<T>,
+        work: impl FnOnce(&mut Solver, &mut ProgressCallback<'_>) -> CallResult<T>,
     ) -> CallResult<T> {
         with_memory(self.need, &self.callback, |watch| {
-            work(&mut self.session, &mut |progress| watch.tell(progress))
+            work(&mut self.solver, &mut |progress| watch.tell(progress))
         })
     }
 }
 
 impl Shared {
-    pub(crate) fn new(solver: Solver) -> Self {
+    pub(crate) fn new(solver: HeldSolver) -> Self {
         Self(Mutex::new(solver))
     }
 
@@ -52,7 +52,7 @@ impl Shared {
 pub(crate) fn with_solver(
     solver: *const fairmesh_solver,
     error: *mut fairmesh_error,
-    body: impl FnOnce(&mut Solver, &mut Call) -> CallResult,
+    body: impl FnOnce(&mut HeldSolver, &mut Call) -> CallResult,
 ) -> Status {
     guarded(error, |call| {
         let shared = handles::get::<_, Shared>(solver, Argument(1))?;

@@ -12,11 +12,11 @@ use super::options::{OptionsIn, refused, target};
 use super::outputs::*;
 use super::report;
 use super::results::{attempt_of, component_of, continuity_of};
-use super::solvers::{Shared, Solver, busy, with_solver};
+use super::solvers::{HeldSolver, Shared, busy, with_solver};
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use fairmesh::Session;
+use fairmesh::Solver;
 
 /// Makes a solver, which fairs in steps: run some iterations, look, change the normals, the continuity or the target, go on. Arguments as in
 /// `fairmesh_fair`; everything is copied except for the callback, which `fairmesh_solver_run` calls. Runs without changes
@@ -42,8 +42,8 @@ pub extern "C" fn fairmesh_solver_new(
         let (positions, triangles) = mesh.read()?;
         let need = memory_bounds::of_fairing(&mesh, &selected, &asked, true)?;
         with_memory(need, &asked.callback, |watch| {
-            let made = Solver {
-                session: Session::new(&positions, &triangles, selected.selection(), &options)?,
+            let made = HeldSolver {
+                solver: Solver::new(&positions, &triangles, selected.selection(), &options)?,
                 callback: *watch,
                 vertices: mesh.vertices(),
                 need,
@@ -70,11 +70,8 @@ pub extern "C" fn fairmesh_solver_run(
         }
         let out = StructOut::optional(report, Argument(3), call)?;
         call.end(Argument(4))?;
-        let told = solver.work(|session, tell| {
-            Ok(report::report(
-                &session.run(count(iterations), Some(tell))?.report,
-            ))
-        })?;
+        let told = solver
+            .work(|solver, tell| Ok(report::report(&solver.run(count(iterations), Some(tell))?.report)))?;
         out.iter().for_each(|out| out.write(&told));
         Ok(())
     })
@@ -92,7 +89,7 @@ pub extern "C" fn fairmesh_solver_set_boundary_normals(
         let asked = NormalsIn::new(&call.read(normals, Argument(2))?, place, vertices, call)?;
         call.end(Argument(3))?;
         let asked = asked.read(vertices)?;
-        solver.work(|session, _| Ok(session.set_boundary_normals(asked)?))
+        solver.work(|solver, _| Ok(solver.set_boundary_normals(asked)?))
     })
 }
 
@@ -111,7 +108,7 @@ pub extern "C" fn fairmesh_solver_set_target(
                 Some(field!(argument, fairmesh_target.constant))
             })
         };
-        solver.work(|session, _| session.set_target(asked).map_err(refused))
+        solver.work(|solver, _| solver.set_target(asked).map_err(refused))
     })
 }
 
@@ -130,7 +127,7 @@ pub extern "C" fn fairmesh_solver_set_continuity(
         call.end(Argument(4))?;
         let of_each = of_each.read(solver.vertices)?;
         let refused = |error| refused(error, Argument(2), |argument, _| Some(argument.itself()));
-        solver.work(|session, _| session.set_continuity(continuity, &of_each).map_err(refused))
+        solver.work(|solver, _| solver.set_continuity(continuity, &of_each).map_err(refused))
     })
 }
 
@@ -146,7 +143,7 @@ pub extern "C" fn fairmesh_solver_set_boundary_curvature(
         let asked = CurvatureIn::new(&call.read(curvature, Argument(2))?, place, vertices, call)?;
         call.end(Argument(3))?;
         let asked = asked.read(vertices)?;
-        solver.work(|session, _| Ok(session.set_boundary_curvature(asked)?))
+        solver.work(|solver, _| Ok(solver.set_boundary_curvature(asked)?))
     })
 }
 
@@ -160,7 +157,7 @@ pub extern "C" fn fairmesh_solver_positions(
     with_solver(solver, error, |solver, call| {
         let out = Points::points_out(&call.read(out, Argument(2))?, Argument(2).start())?;
         let out = last(out, Argument(2), call)?;
-        put_positions(&out, solver.session.positions(), Argument(2))
+        put_positions(&out, solver.solver.positions(), Argument(2))
     })
 }
 
@@ -174,7 +171,7 @@ pub extern "C" fn fairmesh_solver_mean_curvature(
     with_solver(solver, error, |solver, call| {
         let out = Numbers::scalars_out(&call.read(out, Argument(2))?, Argument(2).start())?;
         let out = last(out, Argument(2), call)?;
-        let curvature = &solver.session.solution().mean_curvature;
+        let curvature = &solver.solver.solution().mean_curvature;
         put_scalars(&out, curvature, solver.vertices, Argument(2))
     })
 }
@@ -187,7 +184,7 @@ pub extern "C" fn fairmesh_solver_report(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     with_solver(solver, error, |solver, call| {
-        let of = &solver.session.solution().report;
+        let of = &solver.solver.solution().report;
         put_record(report, Argument(2), call, || Ok(report::report(of)))
     })
 }
@@ -201,7 +198,7 @@ pub extern "C" fn fairmesh_solver_component(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     with_solver(solver, error, |solver, call| {
-        let of = &solver.session.solution().report;
+        let of = &solver.solver.solution().report;
         put_record(component, Argument(3), call, || component_of(of, number))
     })
 }
@@ -216,7 +213,7 @@ pub extern "C" fn fairmesh_solver_attempt(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     with_solver(solver, error, |solver, call| {
-        let of = &solver.session.solution().report;
+        let of = &solver.solver.solution().report;
         put_record(attempt, Argument(4), call, || attempt_of(of, component, number))
     })
 }
@@ -232,7 +229,7 @@ pub extern "C" fn fairmesh_solver_continuity(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     with_solver(solver, error, |solver, call| {
-        let of = &solver.session.solution().report;
+        let of = &solver.solver.solution().report;
         put_record(continuity, Argument(4), call, || {
             continuity_of(of, component, number)
         })
@@ -250,7 +247,7 @@ pub extern "C" fn fairmesh_solver_result(
     with_solver(solver, error, |solver, call| {
         let result = ResultOut::last(result, Argument(2), call)?;
         result.put(solver.need, &solver.callback, |_| {
-            Ok(solver.session.solution().clone().into())
+            Ok(solver.solver.solution().clone().into())
         })
     })
 }

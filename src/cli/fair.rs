@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use fairmesh::{Options, Outcome, OutputPrecision, Progress, Solution, Solver};
+use fairmesh::{Options, Outcome, OutputPrecision, Progress, Solution, SolverKind};
 use serde_json::Value;
 
 use crate::bar::Bar;
@@ -210,7 +210,7 @@ fn plain(format: Format, solution: &Solution, polygons: &[impl AsRef<[u32]>]) ->
 /// The library's call.
 fn solve(
     args: &FairArgs,
-    solver: Solver,
+    solver: SolverKind,
     input: &FairInput<'_>,
     tolerance: Option<f64>,
     output_precision: OutputPrecision,

@@ -1,13 +1,13 @@
 //! The choice of the solver, and what the paper's own scheme can be told.
 
 use clap::{Args, ValueEnum};
-use fairmesh::{Estimate, PaperOptions, Solver};
+use fairmesh::{Estimate, PaperOptions, SolverKind};
 
 use crate::failure::Failure;
 
 /// How the equations are solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum SolverKind {
+enum SolverName {
     /// Quasi-Newton steps on both equations together
     Fast,
     /// The scheme of Schneider and Kobbelt 2001, with their
@@ -38,7 +38,7 @@ pub struct SolverArgs {
         default_value = "fast",
         help_heading = "Solver"
     )]
-    solver: SolverKind,
+    solver: SolverName,
     /// Stop after this many iterations of the solver fast [default: 500]
     #[arg(long, value_name = "N", help_heading = "Solver")]
     pub max_iterations: Option<usize>,
@@ -91,16 +91,16 @@ impl SolverArgs {
     ///
     /// # Errors
     /// Flags of the other solver.
-    pub fn solver(&self) -> Result<Solver, Failure> {
+    pub fn solver(&self) -> Result<SolverKind, Failure> {
         match (self.solver, &self.paper) {
-            (SolverKind::Fast, None) => Ok(Solver::Fast),
-            (SolverKind::Fast, Some(_)) => Err(Failure::new(
+            (SolverName::Fast, None) => Ok(SolverKind::Fast),
+            (SolverName::Fast, Some(_)) => Err(Failure::new(
                 "what begins with --paper- is for --solver paper only",
             )),
-            (SolverKind::Paper, _) if self.max_iterations.is_some() => Err(Failure::new(
+            (SolverName::Paper, _) if self.max_iterations.is_some() => Err(Failure::new(
                 "--max-iterations is for --solver fast only; the paper's scheme has --paper-max-updates",
             )),
-            (SolverKind::Paper, paper) => Ok(Solver::Paper(
+            (SolverName::Paper, paper) => Ok(SolverKind::Paper(
                 paper.as_ref().map(PaperArgs::options).unwrap_or_default(),
             )),
         }

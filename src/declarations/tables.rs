@@ -3,7 +3,7 @@
 use fairmesh::{
     AttemptEnd, BoundaryNormals, Coincident, Discretization, Entry, Error, Estimate, FillOutcome, FlatReason,
     GapKind, InnerFairness, InteriorNormals, Intersections, Join, LoopKind, LooseReason, OnFailure,
-    OpenReason, Outcome, OutputPrecision, Place, Solver, Target,
+    OpenReason, Outcome, OutputPrecision, Place, SolverKind, Target,
 };
 
 #[path = "../capi/statuses.rs"]
@@ -102,7 +102,7 @@ pub fn all() -> Vec<Table> {
         /// How normals and mean curvature are discretized.
         fairmesh_discretization: Discretization::TABLE;
         /// How the equations are solved.
-        fairmesh_solver_kind: Solver::TABLE;
+        fairmesh_solver_kind: SolverKind::TABLE;
         /// How the paper's scheme estimates the mean curvature before the vertices are updated.
         fairmesh_estimate: Estimate::TABLE;
         /// Whether a surface is checked for triangles that intersect each other or the rest of the mesh.

@@ -1,4 +1,4 @@
-//! What a session is asked to change of its boundary, frame by frame: [`Edit`], and what a frame may cost: [`Budget`].
+//! What a solver is asked to change of its boundary, frame by frame: [`Edit`], and what a frame may cost: [`Budget`].
 
 pub(super) mod along_loop;
 pub(super) mod moves;
@@ -6,7 +6,7 @@ pub(super) mod resolved;
 
 use crate::support::error::Error;
 
-/// A change of the boundary that a [`Session`](crate::Session) is asked for, relative to what was asked of it without edits.
+/// A change of the boundary that a [`Solver`](crate::Solver) is asked for, relative to what was asked of it without edits.
 ///
 /// Vertices are named by any of their copies, see [`Coincident`](crate::Coincident). Lengths are in the unit of the positions, and are
 /// measured on the mesh as it was given.
@@ -38,7 +38,7 @@ pub enum Edit {
     },
     /// All boundary loops tilted alike, but for curves between two parts of the region, where that cancels. 0: the fair surface between the
     /// boundaries as they are. See
-    /// [`Session::bulge_range`](crate::Session::bulge_range). (The other number that bulges a surface is
+    /// [`Solver::bulge_range`](crate::Solver::bulge_range). (The other number that bulges a surface is
     /// [`Target::Constant`](crate::Target::Constant). On caps, tubes and blends angles give up to six times the volume before the surface is
     /// unsound, and they need no unit.)
     Bulge {
@@ -95,7 +95,7 @@ impl Edit {
     }
 }
 
-/// What a frame of a [`Session`](crate::Session) may cost. By evaluations alone frames are the same in every run; by the clock they are not.
+/// What a frame of a [`Solver`](crate::Solver) may cost. By evaluations alone frames are the same in every run; by the clock they are not.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Budget {
     /// At most so many evaluations of the equations, for each component of the region; 0: no limit.
@@ -136,11 +136,11 @@ impl Budget {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
     /// The step norm of the surface shown, in diagonals: about how far it is from the fair one, root mean square. Infinite before the first
-    /// step of the session.
+    /// step of the solver.
     pub step: f64,
     /// How often the equations were evaluated, for the component for which it was most.
     pub evaluations: usize,
     /// The step norm is within the tolerance, and no triangle is folded. Whether the surface is sound otherwise, as to creases or
-    /// intersections, is told by [`Session::finish`](crate::Session::finish).
+    /// intersections, is told by [`Solver::finish`](crate::Solver::finish).
     pub is_settled: bool,
 }

@@ -12,7 +12,7 @@ mod normals;
 mod options;
 mod prepared;
 mod report;
-mod session;
+mod solver;
 mod whole_intersections;
 mod whole_solution;
 #[cfg_attr(target_family = "wasm", path = "single_thread.rs")]
@@ -40,13 +40,13 @@ pub(crate) use continuity::check_loops;
 pub use edit::{Budget, Edit, Frame};
 pub(crate) use joined::{in_given, joined_options};
 pub use normals::{BoundaryNormals, InteriorNormals};
-pub use options::{Discretization, InnerFairness, Intersections, Options, OutputPrecision, Solver};
+pub use options::{Discretization, InnerFairness, Intersections, Options, OutputPrecision, SolverKind};
 use prepared::Prepared;
 pub use report::{
     Attempt, AttemptEnd, ComponentReport, LooseReason, Outcome, Progress, ProgressCallback, Report, Seconds,
     SelfIntersections, Solution,
 };
-pub use session::Session;
+pub use solver::Solver;
 use whole_solution::whole;
 pub(crate) use workers::Workers;
 use workers::relay;
@@ -247,7 +247,7 @@ fn component(
         |fraction, iterations, step, phase| shares.tell(prepared.free(), (fraction, iterations, step, phase));
     let nothing_fixed = |_| prepared.nothing_fixed();
     let (result, state, levels) = match &options.solver {
-        Solver::Fast => {
+        SolverKind::Fast => {
             let mut control = Control::new(options.tolerance, options.max_iterations, Some(&mut tell));
             control.interrupt = interrupt.clone();
             let (result, state) = Ladder::default()
@@ -255,7 +255,7 @@ fn component(
                 .map_err(nothing_fixed)?;
             (result, state, Vec::new())
         }
-        Solver::Paper(paper) => {
+        SolverKind::Paper(paper) => {
             let mut control = Control::new(paper.defect, paper.max_updates, Some(&mut tell));
             let PaperResult {
                 result,

@@ -72,7 +72,7 @@ impl OutputPrecision {
 
 /// How the equations are solved.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Solver {
+pub enum SolverKind {
     /// Quasi-Newton steps on both equations together.
     #[default]
     Fast,
@@ -81,9 +81,9 @@ pub enum Solver {
     Paper(PaperOptions),
 }
 
-table!(Solver {
-    0 "fast" Solver::Fast => "quasi-Newton steps on both equations together", "";
-    1 "paper" Solver::Paper(_) => "the paper's own scheme: slow, a yardstick; not for fairing in steps", "";
+table!(SolverKind {
+    0 "fast" SolverKind::Fast => "quasi-Newton steps on both equations together", "";
+    1 "paper" SolverKind::Paper(_) => "the paper's own scheme: slow, a yardstick; not for fairing in steps", "";
 });
 
 /// More threads than any machine of today makes use of: what is beyond is a mistake, which would cost a stack each.
@@ -117,7 +117,7 @@ options! {
         /// How normals and mean curvature are discretized. Default: second order.
         discretization: Discretization = Discretization::default(), choice "fairmesh_discretization";
         /// How the equations are solved. Default: fast.
-        solver: Solver = Solver::default(), choice "fairmesh_solver_kind";
+        solver: SolverKind = SolverKind::default(), choice "fairmesh_solver_kind";
         /// Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the component's bounding box) is
         /// below this. Default 1e-8; 1e-6 is enough for interactive use. At least 1e-15, a few roundings, and less than 1. What the mesh
         /// allows may be a hundred times that, which the outcome says.
@@ -156,7 +156,7 @@ impl Options {
         if let Target::Constant(c) = self.target {
             Error::check_option("target", c, c.is_finite(), "a finite constant")?;
         }
-        if let Solver::Paper(options) = &self.solver {
+        if let SolverKind::Paper(options) = &self.solver {
             options.validate()?;
         }
         self.validate_continuity()?;
@@ -166,7 +166,7 @@ impl Options {
 
     fn validate_continuity(&self) -> Result<(), Error> {
         let range = "between 0 and 1; 0 for the paper's solver";
-        let is_fast = self.solver == Solver::Fast;
+        let is_fast = self.solver == SolverKind::Fast;
         let check = |name, blend: f64| {
             let is_fine = (0.0..=1.0).contains(&blend) && (is_fast || blend == 0.0);
             Error::check_option(name, blend, is_fine, range)

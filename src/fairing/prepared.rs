@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use super::continuity::{asked_continuity, check_loops, on_loops};
 use super::normalization::Normalization;
 use super::normals::{GivenNormals, boundary_normals};
-use super::options::{Discretization, InnerFairness, Options, Solver};
+use super::options::{Discretization, InnerFairness, Options, SolverKind};
 use crate::discrete::equations::FreeCurvature;
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::discrete::target::RightHandSide;
@@ -42,12 +42,12 @@ pub(super) fn regions(
     triangles: &[[u32; 3]],
     selection: Selection<'_>,
     given: &GivenNormals,
-    (solver, is_wide): (&Solver, bool),
+    (solver, is_wide): (&SolverKind, bool),
 ) -> Result<Vec<RegionMesh>, Error> {
     let numbering = match solver {
-        Solver::Fast => Numbering::BreadthFirst,
+        SolverKind::Fast => Numbering::BreadthFirst,
         // Its sweeps go through the vertices in the caller's order.
-        Solver::Paper(_) => Numbering::AsGiven,
+        SolverKind::Paper(_) => Numbering::AsGiven,
     };
     let _clock = clock("region");
     RegionMesh::of_components(
@@ -160,7 +160,7 @@ impl Prepared {
 
 fn curvature(options: &Options) -> FreeCurvature {
     match (&options.solver, options.discretization) {
-        (Solver::Paper(_), _) | (_, Discretization::Paper) => FreeCurvature::Paper,
-        (Solver::Fast, Discretization::SecondOrder) => FreeCurvature::GradientCorrected,
+        (SolverKind::Paper(_), _) | (_, Discretization::Paper) => FreeCurvature::Paper,
+        (SolverKind::Fast, Discretization::SecondOrder) => FreeCurvature::GradientCorrected,
     }
 }

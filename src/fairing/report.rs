@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::continuity::CurvatureContinuity;
 use crate::discrete::target::Target;
 #[cfg(doc)]
-use crate::fairing::options::{Options, Solver};
+use crate::fairing::options::{Options, SolverKind};
 use crate::paper::LevelReport;
 use crate::quality::Quality;
 use crate::solve::{Trial, TrialEnd};
@@ -392,7 +392,7 @@ pub struct ComponentReport {
     /// Its surface is the linear one: no sound nonlinear surface was found.
     pub linear_surface: bool,
     /// What was tried, in its order: on the coarse mesh, where the component is large, and then on its own. Empty for
-    /// [`Solver::Paper`].
+    /// [`SolverKind::Paper`].
     pub attempts: Vec<Attempt>,
     /// Soundness of its surface.
     pub quality: Quality,
@@ -422,7 +422,7 @@ pub struct Report {
     pub seconds: Seconds,
     /// Soundness of the result.
     pub quality: Quality,
-    /// The levels of [`Solver::Paper`] from the base to the given mesh, of all components; empty for the fast solver.
+    /// The levels of [`SolverKind::Paper`] from the base to the given mesh, of all components; empty for the fast solver.
     pub levels: Vec<LevelReport>,
     /// Number of free vertices.
     pub free_vertices: usize,

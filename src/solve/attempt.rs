@@ -76,7 +76,7 @@ pub(crate) enum Weights {
 /// Where an attempt begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Start {
-    /// The surface of a problem close to this one, in a session.
+    /// The surface of a problem close to this one, in a solver.
     AtHand,
     /// The linear surface (7.4) with the inner fairness that is asked for.
     Linear,

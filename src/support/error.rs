@@ -171,7 +171,7 @@ pub enum Error {
         /// What is wrong there.
         why: &'static str,
     },
-    /// An edit of a session cannot be made.
+    /// An edit of a solver cannot be made.
     #[error("edit {edit}{}: {why}", vertex.map_or(String::new(), |v| format!(", vertex {v}")))]
     BadEdit {
         /// Its place in the list, from 0.
@@ -279,7 +279,7 @@ table!(Error {
     39 "no_bump" Error::NoBump { .. } =>
         "the curvature does not tell where a bump ends", "say the region by its radius or by a list";
     40 "bad_edit" Error::BadEdit { .. } =>
-        "an edit of a session has a number that is not finite, or moves a free vertex", "name fixed vertices";
+        "an edit of a solver has a number that is not finite, or moves a free vertex", "name fixed vertices";
 });
 
 impl Error {

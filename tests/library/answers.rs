@@ -11,7 +11,7 @@ use fairmesh::{
     BoundaryCurvature, BoundaryNormals, BridgeOptions, Coincident, Combine, Discretization, Error, Estimate,
     FillOptions, FillOutcome, Filled, InnerFairness, InteriorNormals, Intersections, Join, LoopFilter,
     LoopReport, Loops, OnFailure, Options, OutputPrecision, PaperOptions, Place, Region, RegionStep,
-    RemeshOptions, Rim, Seed, Selection, Solution, Solver, Target, boundary_loops, bridge, erase, fair,
+    RemeshOptions, Rim, Seed, Selection, Solution, SolverKind, Target, boundary_loops, bridge, erase, fair,
     fill_holes, refill_region, remesh_region, select_region,
 };
 use serde_json::{Map, Value, json};
@@ -328,7 +328,7 @@ fn paper_fairings(cases: &mut Cases, sheet: &Mesh) {
                 ..PaperOptions::default()
             };
             set(&mut paper);
-            (o.solver, o.discretization) = (Solver::Paper(paper), Discretization::Paper);
+            (o.solver, o.discretization) = (SolverKind::Paper(paper), Discretization::Paper);
         });
     };
     each! { add:
@@ -573,7 +573,7 @@ fn refused_fairings(cases: &mut Cases, fan: &Mesh) {
     let mut of_paper = |name: &str, value: Value, set: &dyn Fn(&mut PaperOptions)| {
         let mut paper = PaperOptions::default();
         set(&mut paper);
-        one(name, value, &|o| o.solver = Solver::Paper(paper));
+        one(name, value, &|o| o.solver = SolverKind::Paper(paper));
     };
     each! { of_paper:
         "paper_damping" 1.5 |p| p.damping = 1.5;

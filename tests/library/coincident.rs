@@ -3,7 +3,7 @@
 use crate::fairing::{assert_success, flat, irregular, options, solve_given, vector};
 use fairmesh::{
     BoundaryCurvature, BoundaryLoop, BoundaryNormals, Coincident, Error, FillOptions, InnerFairness, Options,
-    RemeshOptions, Selection, Session, Solution, Target, boundary_loops, boundary_loops_joined, fair,
+    RemeshOptions, Selection, Solution, Solver, Target, boundary_loops, boundary_loops_joined, fair,
     fill_holes, mean_curvature, mean_curvature_joined, remesh_region,
 };
 use fairmesh_shapes::{OUTSIDE, Shape, ellipsoid_cap, sphere_cap, sphere_with_hole};
@@ -479,11 +479,11 @@ fn a_loop_is_named_by_any_copy() {
     assert_eq!(solved(&asked(0.0, vec![(inside, 1.0)])).unwrap_err(), named);
     let selection = Selection::Mask(&mask);
     let plain = asked(0.0, Vec::new());
-    let mut session = Session::new(&split.positions, &split.triangles, selection, &plain).unwrap();
-    assert_eq!(session.set_continuity(0.0, &[(inside, 1.0)]), Err(named));
-    session.set_continuity(0.0, &[(last_copy(on), 1.0)]).unwrap();
-    session.run(1000, None).unwrap();
-    assert_same_items!(session.solution().positions, whole.positions);
+    let mut solver = Solver::new(&split.positions, &split.triangles, selection, &plain).unwrap();
+    assert_eq!(solver.set_continuity(0.0, &[(inside, 1.0)]), Err(named));
+    solver.set_continuity(0.0, &[(last_copy(on), 1.0)]).unwrap();
+    solver.run(1000, None).unwrap();
+    assert_same_items!(solver.solution().positions, whole.positions);
 }
 
 /// Fairs the dented sphere, split as it may be, with normals that are given.
@@ -548,14 +548,13 @@ fn normals_of_copies_are_averaged_and_refused_where_they_cancel() {
 }
 
 #[test]
-fn a_session_of_a_soup_ends_as_that_of_the_joined_mesh() {
+fn a_solver_of_a_soup_ends_as_that_of_the_joined_mesh() {
     let (cap, start) = dented();
     let split = split(&start, &cap.triangles, |t| t);
     let mask = split.each(&cap.free);
     let asked = options(1e-8);
-    let mut theirs =
-        Session::new(&split.positions, &split.triangles, Selection::Mask(&mask), &asked).unwrap();
-    let mut joined = Session::new(&start, &cap.triangles, Selection::Mask(&cap.free), &asked).unwrap();
+    let mut theirs = Solver::new(&split.positions, &split.triangles, Selection::Mask(&mask), &asked).unwrap();
+    let mut joined = Solver::new(&start, &cap.triangles, Selection::Mask(&cap.free), &asked).unwrap();
     assert_same(&split, theirs.solution(), joined.solution());
     theirs.run(2, None).unwrap();
     joined.run(2, None).unwrap();
@@ -586,8 +585,8 @@ fn a_session_of_a_soup_ends_as_that_of_the_joined_mesh() {
     );
 }
 
-fn theirs_boundary(session: &Session) -> u32 {
-    session.solution().boundary_normals[0].0
+fn theirs_boundary(solver: &Solver) -> u32 {
+    solver.solution().boundary_normals[0].0
 }
 
 /// A sphere with a hole, and its soup.

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use crate::fairing::*;
 use fairmesh::{
     BoundaryNormals, ComponentReport, InnerFairness, InteriorNormals, Options, Outcome, PaperOptions,
-    Selection, Session, Solution, Solver, fair, fair_with_progress,
+    Selection, Solution, Solver, SolverKind, fair, fair_with_progress,
 };
 use fairmesh_shapes::*;
 
@@ -321,15 +321,15 @@ fn steps_give_the_bits_of_one_call_for_each_component() {
     let whole = case.fair(&free, &options(TOLERANCE));
     for by in [1, 4, 1000] {
         let selection = Selection::Vertices(&free);
-        let mut session =
-            Session::new(&case.positions, &case.triangles, selection, &options(TOLERANCE)).unwrap();
+        let mut solver =
+            Solver::new(&case.positions, &case.triangles, selection, &options(TOLERANCE)).unwrap();
         let mut runs = 0;
-        while session.run(by, None).unwrap().report.outcome == Outcome::IterationLimit {
+        while solver.run(by, None).unwrap().report.outcome == Outcome::IterationLimit {
             runs += 1;
-            assert_at_most!(session.solution().report.iterations, runs * by);
+            assert_at_most!(solver.solution().report.iterations, runs * by);
         }
         assert_at_least!(runs + 1, whole.report.iterations / by);
-        let found = session.solution();
+        let found = solver.solution();
         assert_same_items!(found.positions, whole.positions);
         let of = |solution: &Solution| solution.report.components.iter().map(told).collect::<Vec<_>>();
         assert_eq!(of(found), of(&whole));
@@ -338,22 +338,22 @@ fn steps_give_the_bits_of_one_call_for_each_component() {
 
 /// Normals on the curve make two of one; without them it is one again.
 #[test]
-fn a_session_divides_and_unites_its_components() {
+fn a_solver_divides_and_unites_its_components() {
     let (case, curve) = divided();
     let free = case.all();
     let selection = Selection::Vertices(&free);
-    let mut session = Session::new(&case.positions, &case.triangles, selection, &options(TOLERANCE)).unwrap();
-    assert_eq!(session.solution().report.components.len(), 1);
+    let mut solver = Solver::new(&case.positions, &case.triangles, selection, &options(TOLERANCE)).unwrap();
+    assert_eq!(solver.solution().report.components.len(), 1);
     let given = BoundaryNormals::Given(curve.iter().map(|&v| (v, [0.0, 0.0, 1.0])).collect());
-    session.set_boundary_normals(given.clone()).unwrap();
-    let divided = session.run(500, None).unwrap();
+    solver.set_boundary_normals(given.clone()).unwrap();
+    let divided = solver.run(500, None).unwrap();
     let asked = Options {
         boundary_normals: given,
         ..options(TOLERANCE)
     };
     assert_same_items!(divided.positions, case.fair(&free, &asked).positions);
-    session.set_boundary_normals(BoundaryNormals::Fitted).unwrap();
-    let united = session.run(500, None).unwrap();
+    solver.set_boundary_normals(BoundaryNormals::Fitted).unwrap();
+    let united = solver.run(500, None).unwrap();
     assert_same_items!(united.positions, case.fair(&free, &options(TOLERANCE)).positions);
 }
 
@@ -438,17 +438,17 @@ fn a_run_that_is_stopped_keeps_the_components_that_are_done() {
 }
 
 #[test]
-fn a_session_that_is_stopped_leaves_the_others_where_they_are() {
+fn a_solver_that_is_stopped_leaves_the_others_where_they_are() {
     let case = Case::of(&scattered());
     let free = case.all();
     let selection = Selection::Vertices(&free);
-    let mut session = Session::new(&case.positions, &case.triangles, selection, &options(TOLERANCE)).unwrap();
-    let held = session.run(500, Some(&mut |_| ControlFlow::Break(()))).unwrap();
+    let mut solver = Solver::new(&case.positions, &case.triangles, selection, &options(TOLERANCE)).unwrap();
+    let held = solver.run(500, Some(&mut |_| ControlFlow::Break(()))).unwrap();
     assert_eq!(held.report.outcome, Outcome::Cancelled);
     let iterations: Vec<usize> = held.report.components.iter().map(|c| c.iterations).collect();
     assert_eq!(iterations, [1, 0, 0]);
     let whole = case.fair(&free, &options(TOLERANCE));
-    assert_same_items!(session.run(500, None).unwrap().positions, whole.positions);
+    assert_same_items!(solver.run(500, None).unwrap().positions, whole.positions);
 }
 
 #[test]
@@ -467,13 +467,13 @@ fn components_of_the_papers_scheme() {
         ..PaperOptions::default()
     };
     let together = case.assert_independent(&Options {
-        solver: Solver::Paper(paper),
+        solver: SolverKind::Paper(paper),
         ..options(TOLERANCE)
     });
     let finest = together.report.levels.last().unwrap();
     let alone = [0, 1].map(|k| {
         let asked = Options {
-            solver: Solver::Paper(paper),
+            solver: SolverKind::Paper(paper),
             ..options(TOLERANCE)
         };
         case.fair(&case.components[k], &asked)

@@ -2,7 +2,7 @@
 
 use crate::fairing::*;
 use fairmesh::{
-    BoundaryCurvature, BoundaryNormals, CurvatureContinuity, Error, Options, Selection, Solution, Solver,
+    BoundaryCurvature, BoundaryNormals, CurvatureContinuity, Error, Options, Selection, Solution, SolverKind,
     fair,
 };
 use fairmesh_shapes::*;
@@ -179,7 +179,7 @@ fn what_cannot_be_asked_is_refused() {
     for blend in [-0.1, 1.5, f64::NAN] {
         assert_eq!(refused(asked(blend)), "continuity");
     }
-    let solver = Solver::Paper(fairmesh::PaperOptions::default());
+    let solver = SolverKind::Paper(fairmesh::PaperOptions::default());
     assert_eq!(refused(Options { solver, ..asked(0.5) }), "continuity");
     let boundary_curvature = BoundaryCurvature::Given(vec![(3, 1.0), (4, f64::INFINITY)]);
     let options = Options {

@@ -3,7 +3,7 @@
 use crate::fairing::*;
 use fairmesh::{
     BoundaryCurvature, BoundaryNormals, CurvatureContinuity, Error, FillOptions, FillOutcome, Loops, Options,
-    Outcome, Selection, Session, Solution, Target, fair, fill_holes,
+    Outcome, Selection, Solution, Solver, Target, fair, fill_holes,
 };
 use fairmesh_shapes::*;
 use nalgebra::Vector3;
@@ -354,25 +354,25 @@ fn a_hole_is_filled_with_the_curvature_around() {
     );
 }
 
-fn to_end(session: &mut Session) -> Solution {
+fn to_end(solver: &mut Solver) -> Solution {
     for _ in 0..1000 {
-        if session.run(7, None).unwrap().report.outcome != Outcome::IterationLimit {
-            return session.solution().clone();
+        if solver.run(7, None).unwrap().report.outcome != Outcome::IterationLimit {
+            return solver.solution().clone();
         }
     }
     panic!("no end");
 }
 
 #[test]
-fn a_session_takes_continuity_anew() {
+fn a_solver_takes_continuity_anew() {
     let shape = ellipsoid(2_000);
     let at = |continuity: f64| faired(&shape, &asked(continuity));
     let selection = Selection::Mask(&shape.free);
-    let mut session = Session::new(&shape.positions, &shape.triangles, selection, &asked(0.0)).unwrap();
-    let tangent = to_end(&mut session);
+    let mut solver = Solver::new(&shape.positions, &shape.triangles, selection, &asked(0.0)).unwrap();
+    let tangent = to_end(&mut solver);
     assert_same_items!(tangent.positions, at(0.0).positions);
-    let same = |session: &mut Session, fresh: &Solution| {
-        let found = to_end(session);
+    let same = |solver: &mut Solver, fresh: &Solution| {
+        let found = to_end(solver);
         assert_eq!(found.report.outcome, fresh.report.outcome);
         let off = apart(&found, fresh);
         println!("{off:e}, {} iterations", found.report.iterations);
@@ -384,27 +384,27 @@ fn a_session_takes_continuity_anew() {
         assert_eq!(loops(&found).len(), loops(fresh).len());
     };
     for continuity in [1.0, 0.5, 0.0, 1.0] {
-        session.set_continuity(continuity, &[]).unwrap();
-        same(&mut session, &at(continuity));
+        solver.set_continuity(continuity, &[]).unwrap();
+        same(&mut solver, &at(continuity));
     }
     // In the middle of the way.
-    session.set_continuity(0.3, &[]).unwrap();
-    session.run(2, None).unwrap();
+    solver.set_continuity(0.3, &[]).unwrap();
+    solver.run(2, None).unwrap();
     let vertex = shape.boundary_normals()[7].0;
-    session.set_continuity(0.0, &[(vertex, 0.5)]).unwrap();
-    same(&mut session, &at(0.5));
+    solver.set_continuity(0.0, &[(vertex, 0.5)]).unwrap();
+    same(&mut solver, &at(0.5));
     // Another curvature.
     let given: Vec<(u32, f64)> = shape.boundary_normals().iter().map(|(v, _)| (*v, -0.9)).collect();
     let given = BoundaryCurvature::Given(given);
-    session.set_boundary_curvature(given.clone()).unwrap();
+    solver.set_boundary_curvature(given.clone()).unwrap();
     let fresh = Options {
         boundary_curvature: given,
         ..asked(0.5)
     };
-    same(&mut session, &faired(&shape, &fresh));
+    same(&mut solver, &faired(&shape, &fresh));
     // Wrong ones change nothing.
     assert_matches!(
-        session.set_continuity(1.5, &[]),
+        solver.set_continuity(1.5, &[]),
         Err(Error::BadOption {
             name: "continuity",
             ..
@@ -414,15 +414,15 @@ fn a_session_takes_continuity_anew() {
     let named = Error::NotOnLoop {
         vertex: inside as usize,
     };
-    assert_eq!(session.set_continuity(1.0, &[(inside, 1.0)]), Err(named));
+    assert_eq!(solver.set_continuity(1.0, &[(inside, 1.0)]), Err(named));
     let wrong = BoundaryCurvature::Given(vec![(vertex, f64::NAN)]);
-    assert!(session.set_boundary_curvature(wrong).is_err());
-    same(&mut session, &faired(&shape, &fresh));
+    assert!(solver.set_boundary_curvature(wrong).is_err());
+    same(&mut solver, &faired(&shape, &fresh));
 }
 
 /// Held up after each iteration, and begun with continuity: the bits of one call.
 #[test]
-fn a_session_with_continuity_has_the_bits_of_one_call() {
+fn a_solver_with_continuity_has_the_bits_of_one_call() {
     let shape = ellipsoid(1_000);
     let whole = fair(
         &shape.positions,
@@ -432,8 +432,8 @@ fn a_session_with_continuity_has_the_bits_of_one_call() {
     )
     .unwrap();
     let selection = Selection::Mask(&shape.free);
-    let mut session = Session::new(&shape.positions, &shape.triangles, selection, &asked(1.0)).unwrap();
-    let found = to_end(&mut session);
+    let mut solver = Solver::new(&shape.positions, &shape.triangles, selection, &asked(1.0)).unwrap();
+    let found = to_end(&mut solver);
     assert_same_items!(found.positions, whole.positions);
     assert_eq!(loops(&found), loops(&whole));
 }

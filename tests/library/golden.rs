@@ -11,7 +11,7 @@ use std::fs;
 use crate::fairing::*;
 use fairmesh::{
     BoundaryNormals, Discretization, Estimate, FillOptions, InnerFairness, InteriorNormals, Loops, Options,
-    PaperOptions, RemeshOptions, Selection, Solution, Solver, Target, fill_holes, remesh_region,
+    PaperOptions, RemeshOptions, Selection, Solution, SolverKind, Target, fill_holes, remesh_region,
 };
 use fairmesh_shapes::*;
 
@@ -185,7 +185,7 @@ fn normals() -> Vec<(String, Golden)> {
             ..sharp()
         },
     );
-    let paper = Solver::Paper(PaperOptions {
+    let paper = SolverKind::Paper(PaperOptions {
         estimate: Estimate::Alternating { iterations: 10 },
         levels: 1,
         max_updates: 100,

@@ -2,8 +2,8 @@
 
 use crate::fairing::*;
 use fairmesh::{
-    BoundaryNormals, Budget, Edit, Error, Frame, InnerFairness, Options, Selection, Session, Solution,
-    Target, fair,
+    BoundaryNormals, Budget, Edit, Error, Frame, InnerFairness, Options, Selection, Solution, Solver, Target,
+    fair,
 };
 use fairmesh_shapes::*;
 use nalgebra::{Rotation3, Vector3};
@@ -22,22 +22,22 @@ fn given(shape: &Shape) -> Options {
     }
 }
 
-fn begin(shape: &Shape, options: &Options) -> Session {
+fn begin(shape: &Shape, options: &Options) -> Solver {
     let selection = Selection::Mask(&shape.free);
-    Session::new(&shape.positions, &shape.triangles, selection, options).unwrap()
+    Solver::new(&shape.positions, &shape.triangles, selection, options).unwrap()
 }
 
-/// The session at the fair surface.
-fn finished(shape: &Shape, options: &Options) -> Session {
-    let mut session = begin(shape, options);
-    assert_success(&session.finish(None).unwrap().report.outcome);
-    session
+/// The solver at the fair surface.
+fn finished(shape: &Shape, options: &Options) -> Solver {
+    let mut solver = begin(shape, options);
+    assert_success(&solver.finish(None).unwrap().report.outcome);
+    solver
 }
 
 /// Updates without a limit, and so to the end.
 #[track_caller]
-fn settle(session: &mut Session) {
-    let frame = session.update(&NO_LIMIT).unwrap();
+fn settle(solver: &mut Solver) {
+    let frame = solver.update(&NO_LIMIT).unwrap();
     assert!(frame.is_settled, "{frame:?}");
 }
 
@@ -68,7 +68,7 @@ fn farthest(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
-/// A fresh solve with the positions and normals that the edited session has.
+/// A fresh solve with the positions and normals that the edited solver has.
 fn afresh(shape: &Shape, edited: &Solution, options: &Options) -> Solution {
     let mut positions = shape.positions.clone();
     for (v, p) in positions.iter_mut().enumerate().filter(|(v, _)| !shape.free[*v]) {
@@ -110,8 +110,8 @@ fn edits_lead_to_the_surface_of_a_fresh_solve() {
     let asked = given(&shape);
     let [first, second] = circles(&shape);
     assert_eq!((first.len(), second.len()), (32, 32));
-    let mut session = finished(&shape, &asked);
-    let fair_surface = session.solution().positions.clone();
+    let mut solver = finished(&shape, &asked);
+    let fair_surface = solver.solution().positions.clone();
     for edits in [
         vec![tilt(first[3], 20.0)],
         vec![tilt(first[0], -15.0), tilt(second[0], 10.0)],
@@ -138,11 +138,11 @@ fn edits_lead_to_the_surface_of_a_fresh_solve() {
             falloff: 0.9,
         }],
     ] {
-        session.edit(&edits).unwrap();
-        let frame = session.update(&NO_LIMIT).unwrap();
+        solver.edit(&edits).unwrap();
+        let frame = solver.update(&NO_LIMIT).unwrap();
         assert!(frame.is_settled && frame.step <= 1e-6, "{edits:?}: {frame:?}");
-        let shown = session.positions().to_vec();
-        let found = session.finish(None).unwrap();
+        let shown = solver.positions().to_vec();
+        let found = solver.finish(None).unwrap();
         assert!(found.report.outcome.is_success(), "{edits:?}");
         let diagonal = found.report.diagonal;
         let fresh = afresh(&shape, found, &asked);
@@ -155,10 +155,10 @@ fn edits_lead_to_the_surface_of_a_fresh_solve() {
         assert!(away < 1e-8, "{edits:?}: {away}");
         assert_below!(farthest(&found.positions, &shown), 3e-6 * diagonal);
         assert_above!(farthest(&found.positions, &fair_surface), 1e-3 * diagonal);
-        assert_eq!(bits(session.positions()), bits(&session.solution().positions));
+        assert_eq!(bits(solver.positions()), bits(&solver.solution().positions));
     }
-    session.edit(&[]).unwrap();
-    let back = session.finish(None).unwrap();
+    solver.edit(&[]).unwrap();
+    let back = solver.finish(None).unwrap();
     let away = farthest(&back.positions, &fair_surface) / back.report.diagonal;
     assert!(away < 1e-8, "{away}");
 }
@@ -204,11 +204,11 @@ fn a_cap_that_is_tilted_becomes_the_cap_of_another_sphere() {
         },
         tilt,
     ] {
-        let mut session = finished(&shape, &given(&shape));
+        let mut solver = finished(&shape, &given(&shape));
         for degrees in [5.0, 15.0, 20.0, -10.0, -30.0] {
-            session.edit(&[edit(vertex, degrees)]).unwrap();
-            settle(&mut session);
-            let found = session.finish(None).unwrap();
+            solver.edit(&[edit(vertex, degrees)]).unwrap();
+            settle(&mut solver);
+            let found = solver.finish(None).unwrap();
             assert_success(&found.report.outcome);
             let (s, c) = (60.0 * DEGREE).sin_cos();
             let (s1, c1) = ((60.0 + degrees) * DEGREE).sin_cos();
@@ -239,16 +239,16 @@ fn a_rigid_motion_of_all_that_is_fixed_moves_the_surface() {
     };
     // Fitted normals turn with what they were fitted to.
     for asked in [given(&shape), options(1e-8)] {
-        let mut session = finished(&shape, &asked);
-        let before = session.solution().clone();
-        session.edit(&[motion(&fixed, rotation, translation)]).unwrap();
+        let mut solver = finished(&shape, &asked);
+        let before = solver.solution().clone();
+        solver.edit(&[motion(&fixed, rotation, translation)]).unwrap();
         for &v in &fixed {
-            let off = Vector3::from(session.positions()[v as usize])
+            let off = Vector3::from(solver.positions()[v as usize])
                 - Vector3::from(moved(shape.positions[v as usize]));
             assert!(off.norm() < 1e-14, "at once, outside of the region as well");
         }
-        session.update(&NO_LIMIT).unwrap();
-        let found = session.finish(None).unwrap();
+        solver.update(&NO_LIMIT).unwrap();
+        let found = solver.finish(None).unwrap();
         let expected: Vec<[f64; 3]> = before.positions.iter().map(|&p| moved(p)).collect();
         assert_below!(
             farthest(&found.positions, &expected),
@@ -266,9 +266,9 @@ fn a_twist_turns_the_normals_of_both_sides_by_opposite_angles() {
     let shape = cylinder_blend();
     let [first, _] = circles(&shape);
     let normals = |edit: Edit| {
-        let mut session = finished(&shape, &given(&shape));
-        session.edit(&[edit]).unwrap();
-        session.finish(None).unwrap().boundary_normals.clone()
+        let mut solver = finished(&shape, &given(&shape));
+        solver.edit(&[edit]).unwrap();
+        solver.finish(None).unwrap().boundary_normals.clone()
     };
     let angle = 0.2;
     for (falloff, reach) in [(0.0, 32.0), (1.0, f64::NAN)] {
@@ -329,10 +329,10 @@ fn the_order_of_edits_that_do_not_meet_is_all_one() {
         motion(&second, [0.1, 0.0, 0.0], [0.0, 0.1, 0.0]),
     ];
     let found = |order: [usize; 4]| {
-        let mut session = finished(&shape, &given(&shape));
-        session.edit(&order.map(|k| edits[k].clone())).unwrap();
-        session.update(&NO_LIMIT).unwrap();
-        bits(session.positions())
+        let mut solver = finished(&shape, &given(&shape));
+        solver.edit(&order.map(|k| edits[k].clone())).unwrap();
+        solver.update(&NO_LIMIT).unwrap();
+        bits(solver.positions())
     };
     let one = found([0, 1, 2, 3]);
     assert!(one == found([3, 1, 2, 0]));
@@ -340,17 +340,17 @@ fn the_order_of_edits_that_do_not_meet_is_all_one() {
 }
 
 /// Ten frames of a drag with these evaluations each, then one without limit.
-fn dragged(session: &mut Session, vertex: u32, evaluations: usize) -> Vec<Frame> {
+fn dragged(solver: &mut Solver, vertex: u32, evaluations: usize) -> Vec<Frame> {
     let budget = Budget {
         evaluations,
         ..NO_LIMIT
     };
     let drag = (1..=10).map(|k| {
-        session.edit(&[tilt(vertex, f64::from(k))]).unwrap();
-        session.update(&budget).unwrap()
+        solver.edit(&[tilt(vertex, f64::from(k))]).unwrap();
+        solver.update(&budget).unwrap()
     });
     let mut frames: Vec<Frame> = drag.collect();
-    frames.push(session.update(&NO_LIMIT).unwrap());
+    frames.push(solver.update(&NO_LIMIT).unwrap());
     frames
 }
 
@@ -363,11 +363,11 @@ fn frames_by_evaluations_are_the_same_in_every_run_and_for_any_number_of_threads
             threads,
             ..given(&shape)
         };
-        let mut session = finished(&shape, &asked);
-        let frames = dragged(&mut session, vertex, 3);
+        let mut solver = finished(&shape, &asked);
+        let frames = dragged(&mut solver, vertex, 3);
         assert_all!(frames[..10].iter(), |f| f.evaluations <= 3);
         assert!(frames[10].is_settled, "{frames:?}");
-        (frames, bits(session.positions()))
+        (frames, bits(solver.positions()))
     };
     let one = run(1);
     for k in 1..=3 {
@@ -385,15 +385,15 @@ fn a_budget_is_kept_and_frames_go_on_where_the_last_one_has_ended() {
     assert!(needed.is_settled, "{needed:?}");
     assert_above!(needed.evaluations, 4);
     for evaluations in [1, 2, 3] {
-        let mut session = finished(&shape, &given(&shape));
-        session.edit(&[tilt(vertex, 12.0)]).unwrap();
+        let mut solver = finished(&shape, &given(&shape));
+        solver.edit(&[tilt(vertex, 12.0)]).unwrap();
         let budget = Budget {
             evaluations,
             ..NO_LIMIT
         };
         let (mut spent, mut last) = (0, f64::INFINITY);
         loop {
-            let frame = session.update(&budget).unwrap();
+            let frame = solver.update(&budget).unwrap();
             assert_at_most!(frame.evaluations, evaluations);
             assert_above!(frame.evaluations, 0);
             assert!(frame.step <= last, "the best so far is shown");
@@ -403,9 +403,9 @@ fn a_budget_is_kept_and_frames_go_on_where_the_last_one_has_ended() {
             }
         }
         assert_eq!(spent, needed.evaluations);
-        assert_eq!(bits(session.positions()), bits(whole.positions()));
+        assert_eq!(bits(solver.positions()), bits(whole.positions()));
         // The end is the end.
-        let more = session.update(&budget).unwrap();
+        let more = solver.update(&budget).unwrap();
         assert_eq!(more.evaluations, 0);
         assert!(more.is_settled, "{more:?}");
     }
@@ -416,20 +416,20 @@ fn a_budget_is_kept_and_frames_go_on_where_the_last_one_has_ended() {
 fn a_budget_of_no_time_leaves_one_evaluation() {
     let shape = cylinder_blend();
     let vertex = shape.boundary_normals()[0].0;
-    let mut session = finished(&shape, &given(&shape));
-    session.edit(&[tilt(vertex, 5.0)]).unwrap();
+    let mut solver = finished(&shape, &given(&shape));
+    solver.edit(&[tilt(vertex, 5.0)]).unwrap();
     let budget = Budget {
         seconds: 1e-12,
         ..NO_LIMIT
     };
     let mut frames = 0;
-    while !session.update(&budget).unwrap().is_settled {
+    while !solver.update(&budget).unwrap().is_settled {
         frames += 1;
         assert_below!(frames, 100);
     }
     assert!(frames > 2, "{frames}");
-    session.edit(&[tilt(vertex, 6.0)]).unwrap();
-    assert_eq!(session.update(&budget).unwrap().evaluations, 1);
+    solver.edit(&[tilt(vertex, 6.0)]).unwrap();
+    assert_eq!(solver.update(&budget).unwrap().evaluations, 1);
 }
 
 /// By one degree a frame over 30 degrees, to a step norm of 1e-6.
@@ -441,12 +441,10 @@ fn a_degree_of_tilt_takes_few_evaluations() {
     ] {
         for circle in circles(&shape).iter().take(loops) {
             for direction in [1.0, -1.0] {
-                let mut session = finished(&shape, &given(&shape));
+                let mut solver = finished(&shape, &given(&shape));
                 let drag = (1..=30).map(|k| {
-                    session
-                        .edit(&[tilt(circle[0], direction * f64::from(k))])
-                        .unwrap();
-                    let frame = session.update(&NO_LIMIT).unwrap();
+                    solver.edit(&[tilt(circle[0], direction * f64::from(k))]).unwrap();
+                    let frame = solver.update(&NO_LIMIT).unwrap();
                     assert!(frame.is_settled, "{frame:?}");
                     assert_at_most!(frame.step, 1e-6);
                     frame.evaluations
@@ -464,20 +462,20 @@ fn a_degree_of_tilt_takes_few_evaluations() {
 fn frames_before_any_surface_are_those_of_the_first_solve() {
     let shape = cylinder_blend();
     let whole = finished(&shape, &given(&shape));
-    let mut session = begin(&shape, &given(&shape));
-    assert_eq!(session.positions(), &shape.positions[..]);
+    let mut solver = begin(&shape, &given(&shape));
+    assert_eq!(solver.positions(), &shape.positions[..]);
     let budget = Budget {
         evaluations: 4,
         ..NO_LIMIT
     };
     let mut frames = 0;
-    while !session.update(&budget).unwrap().is_settled {
+    while !solver.update(&budget).unwrap().is_settled {
         frames += 1;
         assert_below!(frames, 100);
     }
     assert_above!(frames, 1);
-    assert_eq!(bits(session.positions()), bits(&whole.solution().positions));
-    let found = session.finish(None).unwrap();
+    assert_eq!(bits(solver.positions()), bits(&whole.solution().positions));
+    let found = solver.finish(None).unwrap();
     assert_eq!(found.report.iterations, whole.solution().report.iterations);
     assert_eq!(bits(&found.positions), bits(&whole.solution().positions));
 }
@@ -493,13 +491,13 @@ fn an_edit_leaves_other_components_as_they_are() {
         .extend(one.triangles.iter().map(|t| t.map(|v| v + count)));
     two.free.extend(&one.free);
     two.normals.extend(&one.normals);
-    let mut session = finished(&two, &given(&two));
-    let before = session.solution().clone();
-    session.edit(&[tilt(one.boundary_normals()[0].0, 10.0)]).unwrap();
-    settle(&mut session);
+    let mut solver = finished(&two, &given(&two));
+    let before = solver.solution().clone();
+    solver.edit(&[tilt(one.boundary_normals()[0].0, 10.0)]).unwrap();
+    settle(&mut solver);
     let of_second = |positions: &[[f64; 3]]| bits(&positions[count as usize..]);
-    assert_eq!(of_second(session.positions()), of_second(&before.positions));
-    let found = session.finish(None).unwrap();
+    assert_eq!(of_second(solver.positions()), of_second(&before.positions));
+    let found = solver.finish(None).unwrap();
     assert_eq!(of_second(&found.positions), of_second(&before.positions));
     assert_eq!(found.report.components[1], before.report.components[1]);
     assert_ne!(
@@ -516,16 +514,16 @@ fn a_curve_between_two_components_has_one_normal() {
     (0..shape.free.len()).for_each(|v| shape.free[v] &= !on_ring(v, 8));
     let curve = 1 + 3 * 8 * 7;
     let asked = given(&shape);
-    let mut session = finished(&shape, &asked);
-    assert_eq!(session.solution().report.components.len(), 2);
+    let mut solver = finished(&shape, &asked);
+    assert_eq!(solver.solution().report.components.len(), 2);
     for (edit, turned) in [
         (tilt(curve, 10.0), 10.0),
         (Edit::Bulge { amount: 0.2 }, 0.0),
         (tilt(curve, -10.0), -10.0),
     ] {
-        session.edit(std::slice::from_ref(&edit)).unwrap();
-        settle(&mut session);
-        let found = session.finish(None).unwrap();
+        solver.edit(std::slice::from_ref(&edit)).unwrap();
+        settle(&mut solver);
+        let found = solver.finish(None).unwrap();
         // At the curve the cap's normals have a polar angle of 30 degrees; the inner side has the smaller vertex.
         let of_curve = found.boundary_normals.iter().filter(|n| on_ring(n.0 as usize, 8));
         for (v, n) in of_curve {
@@ -571,13 +569,13 @@ fn copies_of_a_vertex_are_edited_as_one() {
             motion(vertices, [0.0, 0.1, 0.0], [0.1, 0.0, 0.0]),
         ]
     };
-    let mut session = Session::new(&soup, &triangles, Selection::Mask(&free), &asked).unwrap();
-    session.edit(&edits(handle[2], &handle)).unwrap();
-    session.finish(None).unwrap();
+    let mut solver = Solver::new(&soup, &triangles, Selection::Mask(&free), &asked).unwrap();
+    solver.edit(&edits(handle[2], &handle)).unwrap();
+    solver.finish(None).unwrap();
     let mut whole = finished(&shape, &given(&shape));
     whole.edit(&edits(first[2], &first)).unwrap();
     whole.finish(None).unwrap();
-    for positions in [session.positions(), &session.solution().positions[..]] {
+    for positions in [solver.positions(), &solver.solution().positions[..]] {
         for (c, &v) in corners.iter().enumerate() {
             let off = farthest(&[positions[c]], &[whole.positions()[v as usize]]);
             assert!(off < 1e-7, "{c}: {off}");
@@ -594,16 +592,16 @@ fn copies_of_a_vertex_are_edited_as_one() {
 fn a_surface_that_is_drawn_out_settles_where_it_is_finished() {
     let shape = cylinder_blend();
     let [first, _] = circles(&shape);
-    let mut session = finished(&shape, &given(&shape));
+    let mut solver = finished(&shape, &given(&shape));
     for k in 1..=3 {
-        session
+        solver
             .edit(&[motion(&first, [0.0; 3], [0.2 * f64::from(k), 0.0, 0.0])])
             .unwrap();
-        let frame = session.update(&NO_LIMIT).unwrap();
+        let frame = solver.update(&NO_LIMIT).unwrap();
         assert!(frame.is_settled, "{k}: {frame:?}");
     }
-    let shown = session.positions().to_vec();
-    let found = session.finish(None).unwrap();
+    let shown = solver.positions().to_vec();
+    let found = solver.finish(None).unwrap();
     let away = farthest(&shown, &found.positions) / found.report.diagonal;
     println!("{away:e}");
     assert!(away < 5e-6, "{away}");
@@ -618,20 +616,20 @@ fn points_inside_the_region_are_moved() {
     shape.free[inside] = false;
     let selected = shape.free_vertices();
     let asked = given(&shape);
-    let mut session = Session::new(
+    let mut solver = Solver::new(
         &shape.positions,
         &shape.triangles,
         Selection::Vertices(&selected),
         &asked,
     )
     .unwrap();
-    session.finish(None).unwrap();
+    solver.finish(None).unwrap();
     for height in [0.05, 0.1] {
-        session
+        solver
             .edit(&[motion(&[inside as u32], [0.0; 3], [0.0, 0.0, height])])
             .unwrap();
-        settle(&mut session);
-        let found = session.finish(None).unwrap();
+        settle(&mut solver);
+        let found = solver.finish(None).unwrap();
         assert_near!(
             found.positions[inside][2] - shape.positions[inside][2],
             height,
@@ -655,8 +653,8 @@ fn units_and_places_make_no_difference() {
         let placed = |p: [f64; 3]| p.map(|x| x * scale + away);
         let mut there = shape.clone();
         there.positions.iter_mut().for_each(|p| *p = placed(*p));
-        let mut session = finished(&there, &given(&there));
-        session
+        let mut solver = finished(&there, &given(&there));
+        solver
             .edit(&[
                 Edit::Move {
                     vertices: first.clone(),
@@ -672,10 +670,10 @@ fn units_and_places_make_no_difference() {
                 },
             ])
             .unwrap();
-        let frame = session.update(&NO_LIMIT).unwrap();
+        let frame = solver.update(&NO_LIMIT).unwrap();
         assert!(frame.is_settled, "{frame:?}");
-        session.finish(None).unwrap();
-        let back = session.positions().iter().map(|p| p.map(|x| (x - away) / scale));
+        solver.finish(None).unwrap();
+        let back = solver.positions().iter().map(|p| p.map(|x| (x - away) / scale));
         (frame.evaluations, back.collect::<Vec<_>>())
     };
     let (evaluations, here) = surface(1.0, 0.0);
@@ -693,13 +691,13 @@ fn units_and_places_make_no_difference() {
 #[test]
 fn the_constant_is_dragged_as_well() {
     let shape = sphere_cap(60.0, 1000, irregular(4), OUTSIDE);
-    let mut session = finished(&shape, &given(&shape));
+    let mut solver = finished(&shape, &given(&shape));
     for c in [0.1, 0.2, 0.3] {
-        session.set_target(Target::Constant(c)).unwrap();
-        let frame = session.update(&NO_LIMIT).unwrap();
+        solver.set_target(Target::Constant(c)).unwrap();
+        let frame = solver.update(&NO_LIMIT).unwrap();
         assert!(frame.is_settled && frame.evaluations < 20, "{frame:?}");
     }
-    let found = session.finish(None).unwrap();
+    let found = solver.finish(None).unwrap();
     let asked = Options {
         target: Target::Constant(0.3),
         ..given(&shape)
@@ -716,20 +714,20 @@ fn new_boundary_normals_are_edited_as_the_old_ones_were() {
     let shape = cylinder_blend();
     let vertex = shape.boundary_normals()[0].0;
     let asked = given(&shape);
-    let mut session = finished(&shape, &asked);
-    session
+    let mut solver = finished(&shape, &asked);
+    solver
         .edit(&[Edit::Bulge { amount: 0.1 }, tilt(vertex, 5.0)])
         .unwrap();
-    session.update(&NO_LIMIT).unwrap();
-    let expected = session.finish(None).unwrap().clone();
+    solver.update(&NO_LIMIT).unwrap();
+    let expected = solver.finish(None).unwrap().clone();
     let mut other = shape.boundary_normals();
     // Shorter than one, within what is allowed.
     other.iter_mut().for_each(|n| n.1 = n.1.map(|x| x * 0.9995));
-    session
+    solver
         .set_boundary_normals(BoundaryNormals::Given(other))
         .unwrap();
-    assert_eq!(session.edits().len(), 2);
-    let found = session.finish(None).unwrap();
+    assert_eq!(solver.edits().len(), 2);
+    let found = solver.finish(None).unwrap();
     assert_below!(
         farthest(&found.positions, &expected.positions),
         1e-8 * found.report.diagonal
@@ -784,26 +782,26 @@ fn wrong_edits(shape: &Shape) -> Vec<(Vec<Edit>, Error)> {
 fn wrong_edits_and_budgets_are_refused_and_change_nothing() {
     let shape = cylinder_blend();
     let made = tilt(circles(&shape)[0][0], 5.0);
-    let mut session = finished(&shape, &given(&shape));
-    session.edit(std::slice::from_ref(&made)).unwrap();
-    session.update(&NO_LIMIT).unwrap();
-    let before = bits(session.positions());
+    let mut solver = finished(&shape, &given(&shape));
+    solver.edit(std::slice::from_ref(&made)).unwrap();
+    solver.update(&NO_LIMIT).unwrap();
+    let before = bits(solver.positions());
     for (edits, error) in wrong_edits(&shape) {
-        assert_eq!(session.edit(&edits), Err(error));
-        assert_eq!(session.edits(), std::slice::from_ref(&made));
+        assert_eq!(solver.edit(&edits), Err(error));
+        assert_eq!(solver.edits(), std::slice::from_ref(&made));
     }
     let (mut past, mut vague) = (NO_LIMIT, NO_LIMIT);
     past.seconds = -1.0;
     vague.tolerance = f64::NAN;
     for (budget, option) in [(past, "seconds"), (vague, "tolerance")] {
-        let refused = session.update(&budget);
+        let refused = solver.update(&budget);
         assert!(
             matches!(refused, Err(Error::BadOption { name, .. }) if name == option),
             "{option}: {refused:?}"
         );
     }
-    settle(&mut session);
-    assert_eq!(bits(session.positions()), before);
+    settle(&mut solver);
+    assert_eq!(bits(solver.positions()), before);
 }
 
 #[test]
@@ -823,30 +821,30 @@ fn edits_that_are_too_much_are_not_said_to_settle_folded_and_are_taken_back() {
     let shape = cylinder_blend();
     let [first, _] = circles(&shape);
     let asked = given(&shape);
-    let mut session = finished(&shape, &asked);
-    let fair_surface = session.solution().positions.clone();
+    let mut solver = finished(&shape, &asked);
+    let fair_surface = solver.solution().positions.clone();
     for edit in [
         motion(&first, [0.0; 3], [-2.2, 0.0, 0.0]),
         motion(&first, [0.0, std::f64::consts::PI, 0.0], [0.0; 3]),
         tilt(first[0], 150.0),
         motion(&first, [0.0; 3], [1e5, 0.0, 0.0]),
     ] {
-        session.edit(std::slice::from_ref(&edit)).unwrap();
+        solver.edit(std::slice::from_ref(&edit)).unwrap();
         let budget = Budget {
             evaluations: 100,
             ..NO_LIMIT
         };
-        let frame = session.update(&budget).unwrap();
+        let frame = solver.update(&budget).unwrap();
         println!("{edit:?}: {frame:?}");
-        assert_all!(session.positions().iter().flatten(), |x| x.is_finite());
+        assert_all!(solver.positions().iter().flatten(), |x| x.is_finite());
         if frame.is_settled {
             assert_at_most!(frame.step, 1e-6);
-            let free_run = session.run(1, None).unwrap();
+            let free_run = solver.run(1, None).unwrap();
             assert_empty!(free_run.report.quality.flipped);
         }
-        session.edit(&[]).unwrap();
-        let frame = session.update(&budget).unwrap();
-        let found = session.finish(None).unwrap();
+        solver.edit(&[]).unwrap();
+        let frame = solver.update(&budget).unwrap();
+        let found = solver.finish(None).unwrap();
         assert!(
             found.report.outcome.is_success(),
             "{frame:?}, {:?}",
@@ -862,13 +860,13 @@ fn edits_that_are_too_much_are_not_said_to_settle_folded_and_are_taken_back() {
 fn a_kink_that_edits_ask_for_is_no_crease() {
     let shape = sphere_cap(60.0, 500, irregular(2), OUTSIDE);
     let fitted = options(1e-8);
-    let mut session = finished(&shape, &fitted);
+    let mut solver = finished(&shape, &fitted);
     for k in 1..=11 {
         let amount = -5.0 * f64::from(k) * DEGREE;
-        session.edit(&[Edit::Bulge { amount }]).unwrap();
-        session.update(&NO_LIMIT).unwrap();
+        solver.edit(&[Edit::Bulge { amount }]).unwrap();
+        solver.update(&NO_LIMIT).unwrap();
     }
-    let found = session.finish(None).unwrap();
+    let found = solver.finish(None).unwrap();
     let fresh = afresh(&shape, found, &fitted);
     println!(
         "{:?}, kink {}",
@@ -887,10 +885,10 @@ fn other_inner_fairness_follows_too() {
             inner_fairness,
             ..given(&shape)
         };
-        let mut session = finished(&shape, &asked);
-        session.edit(&[Edit::Bulge { amount: 0.2 }]).unwrap();
-        settle(&mut session);
-        let found = session.finish(None).unwrap();
+        let mut solver = finished(&shape, &asked);
+        solver.edit(&[Edit::Bulge { amount: 0.2 }]).unwrap();
+        settle(&mut solver);
+        let found = solver.finish(None).unwrap();
         let fresh = afresh(&shape, found, &asked);
         assert_below!(
             farthest(&found.positions, &fresh.positions),
@@ -903,32 +901,30 @@ fn other_inner_fairness_follows_too() {
 fn the_range_of_the_bulge_has_sound_surfaces_and_leaves_the_surface_at_hand() {
     let shape = sphere_cap(60.0, 500, irregular(5), OUTSIDE);
     let vertex = shape.boundary_normals()[0].0;
-    let mut session = finished(&shape, &given(&shape));
-    session
+    let mut solver = finished(&shape, &given(&shape));
+    solver
         .edit(&[Edit::Bulge { amount: 0.1 }, tilt(vertex, 3.0)])
         .unwrap();
-    session.update(&NO_LIMIT).unwrap();
-    let before = session.finish(None).unwrap().clone();
-    let range = session.bulge_range(None).unwrap();
+    solver.update(&NO_LIMIT).unwrap();
+    let before = solver.finish(None).unwrap().clone();
+    let range = solver.bulge_range(None).unwrap();
     println!("{:?} degrees", range.map(|x| x / DEGREE));
     assert!(range[0] < -0.5 && range[1] > 0.5, "{range:?}");
-    assert_eq!(session.edits().len(), 2);
-    assert_eq!(bits(session.positions()), bits(&before.positions));
+    assert_eq!(solver.edits().len(), 2);
+    assert_eq!(bits(solver.positions()), bits(&before.positions));
     assert_eq!(
-        bits(&session.finish(None).unwrap().positions),
+        bits(&solver.finish(None).unwrap().positions),
         bits(&before.positions)
     );
     // In steps of the search the ends are reached.
     for end in range {
-        let mut session = finished(&shape, &given(&shape));
+        let mut solver = finished(&shape, &given(&shape));
         for k in 1..=20 {
             let amount = end * f64::from(k) / 20.0;
-            session
-                .edit(&[Edit::Bulge { amount }, tilt(vertex, 3.0)])
-                .unwrap();
-            session.update(&NO_LIMIT).unwrap();
+            solver.edit(&[Edit::Bulge { amount }, tilt(vertex, 3.0)]).unwrap();
+            solver.update(&NO_LIMIT).unwrap();
         }
-        assert!(session.finish(None).unwrap().report.outcome.is_success(), "{end}");
+        assert!(solver.finish(None).unwrap().report.outcome.is_success(), "{end}");
     }
     // Who stops the search gets what was found until then.
     let mut calls = 0;
@@ -940,10 +936,10 @@ fn the_range_of_the_bulge_has_sound_surfaces_and_leaves_the_surface_at_hand() {
             std::ops::ControlFlow::Continue(())
         }
     };
-    let part = session.bulge_range(Some(&mut stop)).unwrap();
+    let part = solver.bulge_range(Some(&mut stop)).unwrap();
     assert!(
         part[0] >= range[0] && part[1] <= range[1] && part != range,
         "{part:?}"
     );
-    assert_eq!(bits(session.positions()), bits(&before.positions));
+    assert_eq!(bits(solver.positions()), bits(&before.positions));
 }

@@ -35,7 +35,7 @@ mod refill;
 mod regions;
 mod rim;
 mod search;
-mod session;
+mod solver;
 mod soundness;
 mod targets;
 mod tetra;

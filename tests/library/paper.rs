@@ -6,7 +6,7 @@ use crate::fairing::*;
 use crate::tier::tier;
 use fairmesh::{
     BoundaryNormals, Discretization, Error, Estimate, InnerFairness, LooseReason, Options, Outcome,
-    PaperOptions, Progress, Selection, Solution, Solver, Target, fair_with_progress,
+    PaperOptions, Progress, Selection, Solution, SolverKind, Target, fair_with_progress,
 };
 use fairmesh_shapes::*;
 
@@ -15,7 +15,7 @@ fn paper(shape: &Shape, options: PaperOptions, inner: InnerFairness) -> Solution
         shape,
         &shape.positions,
         Options {
-            solver: Solver::Paper(options),
+            solver: SolverKind::Paper(options),
             inner_fairness: inner,
             ..crate::fairing::options(TIGHT)
         },
@@ -108,14 +108,14 @@ fn targets_in_both_solvers() {
     for target in constants.chain([Target::MinimalEnergy]) {
         let [slow, fast] = [
             (
-                Solver::Paper(PaperOptions {
+                SolverKind::Paper(PaperOptions {
                     levels: 0,
                     defect: 1e-8,
                     ..SINGLE
                 }),
                 Discretization::SecondOrder,
             ),
-            (Solver::Fast, Discretization::Paper),
+            (SolverKind::Fast, Discretization::Paper),
         ]
         .map(|(solver, discretization)| {
             let options = Options {
@@ -274,7 +274,7 @@ fn a_run_stops_within_one_update() {
             }
         };
         let options = Options {
-            solver: Solver::Paper(PaperOptions::default()),
+            solver: SolverKind::Paper(PaperOptions::default()),
             boundary_normals: BoundaryNormals::Given(shape.boundary_normals()),
             ..options(TIGHT)
         };
@@ -294,7 +294,7 @@ fn the_number_of_threads_changes_no_bit() {
     let shape = cylinder_blend_with(25, 13, 4);
     let run = |threads| {
         let options = Options {
-            solver: Solver::Paper(PaperOptions {
+            solver: SolverKind::Paper(PaperOptions {
                 max_updates: 100,
                 ..PaperOptions::default()
             }),
@@ -357,7 +357,7 @@ fn options_out_of_range_are_refused() {
     ];
     for (option, paper) in bad {
         let options = Options {
-            solver: Solver::Paper(paper),
+            solver: SolverKind::Paper(paper),
             ..options(TIGHT)
         };
         let refused = attempt(&shape, options).unwrap_err();
@@ -373,7 +373,7 @@ fn options_out_of_range_are_refused() {
 fn the_start_does_not_matter() {
     let shape = cylinder_blend();
     let asked = |start: &[[f64; 3]]| {
-        let solver = Solver::Paper(PaperOptions {
+        let solver = SolverKind::Paper(PaperOptions {
             levels: 0,
             defect: 1e-8,
             ..SINGLE

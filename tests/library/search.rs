@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::boundary::tilted;
 use crate::fairing::*;
 use fairmesh::{
-    AttemptEnd, Edit, InnerFairness, Options, Outcome, Report, Selection, Session, Solution, fair,
+    AttemptEnd, Edit, InnerFairness, Options, Outcome, Report, Selection, Solution, Solver, fair,
 };
 use fairmesh_shapes::*;
 
@@ -277,12 +277,12 @@ fn most_of_a_sphere_is_found_along_the_normals() {
     assert!(attempts.iter().any(|a| a.name == "along normals"), "{attempts:?}");
     assert_eq!(attempts.last().unwrap().name, "from the coarse mesh");
 
-    // A session goes on from there in the same way.
+    // A solver goes on from there in the same way.
     let selection = Selection::Mask(&shape.free);
-    let mut session = Session::new(&start, &shape.triangles, selection, &options(1e-6)).unwrap();
-    session.run(1000, None).unwrap();
-    session.edit(&[Edit::Bulge { amount: 1e-3 }]).unwrap();
-    let renewed = &session.run(1000, None).unwrap().report;
+    let mut solver = Solver::new(&start, &shape.triangles, selection, &options(1e-6)).unwrap();
+    solver.run(1000, None).unwrap();
+    solver.edit(&[Edit::Bulge { amount: 1e-3 }]).unwrap();
+    let renewed = &solver.run(1000, None).unwrap().report;
     assert_eq!(renewed.outcome, Outcome::Converged);
     assert_eq!(renewed.fallback_weights, renewed.free_vertices);
     let attempts = &renewed.components[0].attempts;

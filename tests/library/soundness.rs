@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::fairing::*;
 use fairmesh::{
     BoundaryNormals, Error, FillOptions, FillOutcome, FlatReason, InnerFairness, Intersections, Loops,
-    Options, Outcome, OutputPrecision, Selection, Session, Solution, boundary_loops, fair, fill_holes,
+    Options, Outcome, OutputPrecision, Selection, Solution, Solver, boundary_loops, fair, fill_holes,
 };
 use fairmesh_shapes::*;
 use nalgebra::Vector3;
@@ -163,17 +163,17 @@ fn a_crease_that_given_normals_ask_for_is_a_success() {
     }
 }
 
-/// A session that gets other normals knows anew which are given.
+/// A solver that gets other normals knows anew which are given.
 #[test]
-fn a_session_knows_which_normals_are_given() {
+fn a_solver_knows_which_normals_are_given() {
     let cube = Cube::new(6);
     let up: Vec<_> = cube.boundary.iter().map(|&v| (v, [0.0, 0.0, 1.0])).collect();
     let selection = Selection::Vertices(&cube.free);
-    let mut session = Session::new(&cube.positions, &cube.triangles, selection, &Options::default()).unwrap();
-    session.run(500, None).unwrap();
+    let mut solver = Solver::new(&cube.positions, &cube.triangles, selection, &Options::default()).unwrap();
+    solver.run(500, None).unwrap();
     let given = BoundaryNormals::Given(up);
-    session.set_boundary_normals(given).unwrap();
-    assert_eq!(session.run(500, None).unwrap().report.outcome, Outcome::Converged);
+    solver.set_boundary_normals(given).unwrap();
+    assert_eq!(solver.run(500, None).unwrap().report.outcome, Outcome::Converged);
 }
 
 /// A cap moved so far that the rounding of floats is as long as its edges.
@@ -250,7 +250,7 @@ fn figures_are_those_of_the_numbers_that_are_written() {
     assert!(!single.report.outcome.remedy().is_empty());
 }
 
-/// Near the origin floats are fine enough, and a session says what a single call does.
+/// Near the origin floats are fine enough, and a solver says what a single call does.
 #[test]
 fn rounding_that_does_no_harm_is_a_success() {
     let shape = sphere_cap(60.0, 300, irregular(1), OUTSIDE);
@@ -261,8 +261,8 @@ fn rounding_that_does_no_harm_is_a_success() {
     let selection = Selection::Mask(&shape.free);
     let solution = fair(&shape.positions, &shape.triangles, selection, &options).unwrap();
     assert_eq!(solution.report.outcome, Outcome::Converged);
-    let mut session = Session::new(&shape.positions, &shape.triangles, selection, &options).unwrap();
-    assert_eq!(session.run(500, None).unwrap().positions, solution.positions);
+    let mut solver = Solver::new(&shape.positions, &shape.triangles, selection, &options).unwrap();
+    assert_eq!(solver.run(500, None).unwrap().positions, solution.positions);
 }
 
 /// An octahedron with a triangle of three fixed vertices, which is a needle as it comes.

@@ -4,14 +4,14 @@ use std::ops::ControlFlow;
 
 use crate::fairing::*;
 use fairmesh::{
-    BoundaryNormals, Error, InnerFairness, Options, Outcome, Selection, Session, Solution, Target, fair,
+    BoundaryNormals, Error, InnerFairness, Options, Outcome, Selection, Solution, Solver, Target, fair,
 };
 use fairmesh_shapes::*;
 
 const TOLERANCE: f64 = 1e-8;
 
-fn session(shape: &Shape, start: &[[f64; 3]], options: &Options) -> Session {
-    Session::new(start, &shape.triangles, Selection::Mask(&shape.free), options).unwrap()
+fn solver(shape: &Shape, start: &[[f64; 3]], options: &Options) -> Solver {
+    Solver::new(start, &shape.triangles, Selection::Mask(&shape.free), options).unwrap()
 }
 
 fn at_once(shape: &Shape, start: &[[f64; 3]], options: Options) -> Solution {
@@ -28,9 +28,9 @@ fn distance(a: &Solution, b: &Solution) -> f64 {
 }
 
 /// Runs to the end, by steps of so many iterations.
-fn to_end(session: &mut Session, by: usize) -> usize {
+fn to_end(solver: &mut Solver, by: usize) -> usize {
     for runs in 1..1000 {
-        if session.run(by, None).unwrap().report.outcome != Outcome::IterationLimit {
+        if solver.run(by, None).unwrap().report.outcome != Outcome::IterationLimit {
             return runs;
         }
     }
@@ -52,16 +52,16 @@ fn steps_give_the_bits_of_one_call() {
         };
         let whole = at_once(shape, &start, asked());
         for by in [1, 3, 1000] {
-            let mut session = session(shape, &start, &asked());
-            let runs = to_end(&mut session, by);
-            let found = session.solution();
+            let mut solver = solver(shape, &start, &asked());
+            let runs = to_end(&mut solver, by);
+            let found = solver.solution();
             assert!(bits(found) == bits(&whole), "steps of {by}");
             assert_eq!(found.report.outcome, whole.report.outcome);
             assert_eq!(found.report.iterations, whole.report.iterations);
             assert_eq!(found.mean_curvature, whole.mean_curvature);
             assert_at_least!(runs, found.report.iterations / by);
             // The end is the end.
-            let again = session.run(5, None).unwrap();
+            let again = solver.run(5, None).unwrap();
             assert_same_items!(bits(again), bits(&whole));
         }
     }
@@ -71,11 +71,11 @@ fn steps_give_the_bits_of_one_call() {
 fn a_step_is_one_iteration_and_comes_nearer() {
     let shape = sphere_cap(60.0, 1000, irregular(2), OUTSIDE);
     let whole = at_once(&shape, &flat(&shape), options(TOLERANCE));
-    let mut session = session(&shape, &flat(&shape), &options(TOLERANCE));
-    assert_eq!(session.solution().positions, flat(&shape));
+    let mut solver = solver(&shape, &flat(&shape), &options(TOLERANCE));
+    assert_eq!(solver.solution().positions, flat(&shape));
     let mut steps = Vec::new();
     for k in 1..=5 {
-        let solution = session.run(1, None).unwrap();
+        let solution = solver.run(1, None).unwrap();
         assert_eq!(solution.report.iterations, k);
         assert_eq!(solution.report.outcome, Outcome::IterationLimit);
         steps.push(distance(solution, &whole));
@@ -110,12 +110,12 @@ fn assert_found(what: &str, warm: &Solution, fresh: &Solution) {
 fn after_a_change_it_goes_on_from_where_it_is() {
     let shape = sphere_cap(60.0, 2000, irregular(3), OUTSIDE);
     let start = flat(&shape);
-    let mut session = session(&shape, &start, &options(TOLERANCE));
-    session.run(1000, None).unwrap();
-    let cold = session.solution().report.iterations;
+    let mut solver = solver(&shape, &start, &options(TOLERANCE));
+    solver.run(1000, None).unwrap();
+    let cold = solver.solution().report.iterations;
     for target in [Target::Constant(0.05), Target::Constant(0.1), Target::Harmonic] {
-        session.set_target(target).unwrap();
-        let warm = session.run(1000, None).unwrap();
+        solver.set_target(target).unwrap();
+        let warm = solver.run(1000, None).unwrap();
         let asked = Options {
             target,
             ..options(TOLERANCE)
@@ -126,20 +126,20 @@ fn after_a_change_it_goes_on_from_where_it_is() {
     }
     let leant = leant(&shape);
     let fresh = solve_given(&shape, &start, &leant, options(TOLERANCE));
-    session
+    solver
         .set_boundary_normals(BoundaryNormals::Given(leant))
         .unwrap();
-    assert_found("normals", session.run(1000, None).unwrap(), &fresh);
+    assert_found("normals", solver.run(1000, None).unwrap(), &fresh);
 }
 
 #[test]
 fn a_change_in_the_middle_of_a_run_holds_at_once() {
     let shape = sphere_cap(60.0, 500, irregular(4), OUTSIDE);
-    let mut session = session(&shape, &flat(&shape), &options(TOLERANCE));
-    session.run(3, None).unwrap();
-    session.set_target(Target::Constant(0.1)).unwrap();
+    let mut solver = solver(&shape, &flat(&shape), &options(TOLERANCE));
+    solver.run(3, None).unwrap();
+    solver.set_target(Target::Constant(0.1)).unwrap();
     let target = Target::Constant(0.1);
-    to_end(&mut session, 2);
+    to_end(&mut solver, 2);
     let fresh = at_once(
         &shape,
         &flat(&shape),
@@ -148,51 +148,51 @@ fn a_change_in_the_middle_of_a_run_holds_at_once() {
             ..options(TOLERANCE)
         },
     );
-    assert_eq!(session.solution().report.outcome, Outcome::Converged);
-    assert_below!(distance(session.solution(), &fresh), 30.0 * TOLERANCE);
+    assert_eq!(solver.solution().report.outcome, Outcome::Converged);
+    assert_below!(distance(solver.solution(), &fresh), 30.0 * TOLERANCE);
 }
 
 #[test]
 fn wrong_changes_leave_things_as_they_are() {
     let shape = sphere_cap(60.0, 300, irregular(5), OUTSIDE);
     let whole = at_once(&shape, &flat(&shape), options(TOLERANCE));
-    let mut session = session(&shape, &flat(&shape), &options(TOLERANCE));
-    session.run(2, None).unwrap();
+    let mut solver = solver(&shape, &flat(&shape), &options(TOLERANCE));
+    solver.run(2, None).unwrap();
     let v = shape.boundary_normals()[3].0;
-    let wrong = session.set_boundary_normals(BoundaryNormals::Given(vec![(v, [0.0, 0.0, 2.0])]));
+    let wrong = solver.set_boundary_normals(BoundaryNormals::Given(vec![(v, [0.0, 0.0, 2.0])]));
     assert_eq!(wrong, Err(Error::BadNormal { vertex: v as usize }));
     assert_matches!(
-        session.set_target(Target::Constant(f64::NAN)),
+        solver.set_target(Target::Constant(f64::NAN)),
         Err(Error::BadOption { name: "target", .. })
     );
-    to_end(&mut session, 4);
-    assert_same_items!(bits(session.solution()), bits(&whole));
+    to_end(&mut solver, 4);
+    assert_same_items!(bits(solver.solution()), bits(&whole));
 }
 
 #[test]
 fn the_callback_stops_a_run_after_one_iteration_and_it_goes_on_later() {
     let shape = sphere_cap(60.0, 500, irregular(6), OUTSIDE);
     let whole = at_once(&shape, &flat(&shape), options(TOLERANCE));
-    let mut session = session(&shape, &flat(&shape), &options(TOLERANCE));
+    let mut solver = solver(&shape, &flat(&shape), &options(TOLERANCE));
     let mut called = 0;
     let mut stop = |_: &fairmesh::Progress| {
         called += 1;
         ControlFlow::Break(())
     };
-    let solution = session.run(100, Some(&mut stop)).unwrap();
+    let solution = solver.run(100, Some(&mut stop)).unwrap();
     assert_eq!(solution.report.outcome, Outcome::Cancelled);
     assert_eq!(solution.report.iterations, 1);
     assert_at_least!(called, 1);
-    to_end(&mut session, 100);
-    assert_same_items!(bits(session.solution()), bits(&whole));
+    to_end(&mut solver, 100);
+    assert_same_items!(bits(solver.solution()), bits(&whole));
 }
 
 #[test]
-fn a_session_moves_to_another_thread_in_the_middle() {
+fn a_solver_moves_to_another_thread_in_the_middle() {
     let shape = sphere_cap(60.0, 300, irregular(7), OUTSIDE);
     let whole = at_once(&shape, &flat(&shape), options(TOLERANCE));
-    let mut moved = session(&shape, &flat(&shape), &options(TOLERANCE));
-    let mut left = session(&shape, &flat(&shape), &options(TOLERANCE));
+    let mut moved = solver(&shape, &flat(&shape), &options(TOLERANCE));
+    let mut left = solver(&shape, &flat(&shape), &options(TOLERANCE));
     moved.run(2, None).unwrap();
     left.run(1, None).unwrap();
     drop(left);
@@ -222,9 +222,9 @@ fn every_attempt_of_the_ladder_can_be_held_up() {
         whole.report.outcome, whole.report.iterations
     );
     assert!(!whole.report.outcome.is_success(), "{:?}", whole.report.outcome);
-    let mut session = session(&shape, &start, &asked);
-    let runs = to_end(&mut session, 1);
-    let found = session.solution();
+    let mut solver = solver(&shape, &start, &asked);
+    let runs = to_end(&mut solver, 1);
+    let found = solver.solution();
     assert_same_items!(bits(found), bits(&whole));
     assert_eq!(found.report.outcome, whole.report.outcome);
     assert_eq!(found.report.iterations, whole.report.iterations);
@@ -244,19 +244,19 @@ fn a_curve_that_gets_normals_is_the_problem_of_one_call() {
         .unwrap();
     inside[..2].iter().for_each(|&v| shape.free[v as usize] = false);
     let start = flat(&shape);
-    let mut session = session(&shape, &start, &options(TOLERANCE));
-    session.run(1000, None).unwrap();
+    let mut solver = solver(&shape, &start, &options(TOLERANCE));
+    solver.run(1000, None).unwrap();
     let mut normals = shape.boundary_normals();
     normals.extend(inside[..2].iter().map(|&v| (v, shape.normals[v as usize])));
     normals.sort_by_key(|n| n.0);
     normals.dedup_by_key(|n| n.0);
-    session
+    solver
         .set_boundary_normals(BoundaryNormals::Given(normals.clone()))
         .unwrap();
-    session.set_target(Target::Constant(0.01)).unwrap();
-    session.set_target(Target::Harmonic).unwrap();
-    to_end(&mut session, 7);
+    solver.set_target(Target::Constant(0.01)).unwrap();
+    solver.set_target(Target::Harmonic).unwrap();
+    to_end(&mut solver, 7);
     let fresh = solve_given(&shape, &start, &normals, options(TOLERANCE));
-    assert_eq!(session.solution().report.outcome, fresh.report.outcome);
-    assert_below!(distance(session.solution(), &fresh), 30.0 * TOLERANCE);
+    assert_eq!(solver.solution().report.outcome, fresh.report.outcome);
+    assert_below!(distance(solver.solution(), &fresh), 30.0 * TOLERANCE);
 }

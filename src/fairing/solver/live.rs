@@ -2,7 +2,7 @@
 
 use super::cursor::{Cursor, SolvedSurface};
 use super::edited::{Prescribed, united};
-use super::{Components, Input, Session};
+use super::{Components, Input, Solver};
 use crate::fairing::edit::resolved::{Bend, EditedMesh, ResolvedEdits};
 use crate::fairing::edit::{Budget, Edit, Frame};
 use crate::fairing::report::ProgressCallback;
@@ -84,7 +84,7 @@ impl Components {
     }
 }
 
-impl Session {
+impl Solver {
     /// Asks for these edits of the boundary in place of those before. All are relative to what is asked without edits: the empty list
     /// is the problem as it was given, and a shorter list takes the last edit back. What no edit concerns stays as it is, to the last bit.
     /// The next frame, or run, starts at the surface at hand.

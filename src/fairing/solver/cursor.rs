@@ -1,4 +1,4 @@
-//! Where a [`Session`](super::Session) stands with one component: the solve that [`fair`](crate::fair) runs through, held up
+//! Where a [`Solver`](super::Solver) stands with one component: the solve that [`fair`](crate::fair) runs through, held up
 //! between two iterations.
 
 use std::sync::Arc;

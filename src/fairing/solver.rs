@@ -13,7 +13,7 @@ use super::edit::resolved::{Followers, ResolvedEdits};
 use super::joined::{in_given, joined_curvature, joined_loops, joined_normals, joined_options, spread};
 use super::normals::BoundaryNormals;
 use super::normals::GivenNormals;
-use super::options::{Options, Solver};
+use super::options::{Options, SolverKind};
 use super::prepared::{Prepared, regions};
 use super::report::{Outcome, ProgressCallback, Solution};
 use super::whole_solution::whole;
@@ -30,15 +30,15 @@ use crate::support::error::Error;
 use crate::support::stopwatch::Stopwatch;
 use cursor::Cursor;
 
-/// One fairing problem, solved in steps by [`Solver::Fast`]. It owns copies of its input.
+/// One fairing problem, solved in steps by [`SolverKind::Fast`]. It owns copies of its input.
 ///
 /// Each component of the region (see [`ComponentReport`](crate::ComponentReport)) is held up and goes on by itself.
-/// Without changes in between, any sequence of [`run`](Session::run)s finds the surface of [`fair`](super::fair) with the same
+/// Without changes in between, any sequence of [`run`](Solver::run)s finds the surface of [`fair`](super::fair) with the same
 /// options, to the last bit. After a change of the boundary normals, of continuity or of the target, the next run starts at the surface
 /// at hand with the matrices at hand; where that leads to no sound surface, it begins anew, as `fair` does.
 ///
-/// While something is dragged, [`edit`](Session::edit) changes the boundary, and [`update`](Session::update) makes frames of
-/// [`positions`](Session::positions); [`finish`](Session::finish) ends the drag. For a degree of tilt a frame takes two to eight evaluations of
+/// While something is dragged, [`edit`](Solver::edit) changes the boundary, and [`update`](Solver::update) makes frames of
+/// [`positions`](Solver::positions); [`finish`](Solver::finish) ends the drag. For a degree of tilt a frame takes two to eight evaluations of
 /// the equations. What is finished is the surface of a fresh solve of the edited problem, to 1e-8 of the diagonal with the default tolerance, except
 /// where there are several: then it is the one that the drag leads to. Where no surface meets the inner fairness that is asked for
 /// ([`fallback_weights`](crate::Report::fallback_weights)), its vertices lie where the drag has left them.
@@ -50,31 +50,31 @@ use cursor::Cursor;
 /// # let cell = |c: u32| { let v = c / 6 * 7 + c % 6; [[v, v + 1, v + 8], [v, v + 8, v + 7]] };
 /// # let triangles: Vec<[u32; 3]> = (0..36).flat_map(cell).collect();
 /// # let free = [16, 17, 18, 23, 24, 25, 30, 31, 32];
-/// use fairmesh::{BoundaryNormals, Budget, Edit, Options, Outcome, Selection, Session, Target};
+/// use fairmesh::{BoundaryNormals, Budget, Edit, Options, Outcome, Selection, Solver, Target};
 ///
-/// let mut session = Session::new(&positions, &triangles, Selection::Vertices(&free), &Options::default())?;
-/// let after_one = session.run(1, None)?;
+/// let mut solver = Solver::new(&positions, &triangles, Selection::Vertices(&free), &Options::default())?;
+/// let after_one = solver.run(1, None)?;
 /// assert_eq!(after_one.report.outcome, Outcome::IterationLimit);
-/// let plane = session.run(100, None)?;
+/// let plane = solver.run(100, None)?;
 /// assert!(plane.report.outcome.is_success() && plane.positions[24][2].abs() < 1e-7);
 ///
 /// // Other conditions: the next run starts at the surface at hand.
-/// session.set_boundary_normals(BoundaryNormals::Averaged)?;
-/// session.set_target(Target::Constant(0.01))?;
-/// assert!(session.run(100, None)?.report.iterations > 0);
-/// assert!(session.solution().positions[24][2] > 1e-4); // pushed out along the normals
+/// solver.set_boundary_normals(BoundaryNormals::Averaged)?;
+/// solver.set_target(Target::Constant(0.01))?;
+/// assert!(solver.run(100, None)?.report.iterations > 0);
+/// assert!(solver.solution().positions[24][2] > 1e-4); // pushed out along the normals
 ///
 /// // A drag: the boundary leans outward, frame by frame.
-/// session.set_target(Target::Harmonic)?;
+/// solver.set_target(Target::Harmonic)?;
 /// for k in 1..=5 {
-///     session.edit(&[Edit::Bulge { amount: 0.02 * f64::from(k) }])?;
-///     let frame = session.update(&Budget::default())?;
-///     assert!(frame.is_settled && session.positions()[24][2] > 0.01 * f64::from(k));
+///     solver.edit(&[Edit::Bulge { amount: 0.02 * f64::from(k) }])?;
+///     let frame = solver.update(&Budget::default())?;
+///     assert!(frame.is_settled && solver.positions()[24][2] > 0.01 * f64::from(k));
 /// }
-/// assert!(session.finish(None)?.report.outcome.is_success());
+/// assert!(solver.finish(None)?.report.outcome.is_success());
 /// # Ok::<(), fairmesh::Error>(())
 /// ```
-pub struct Session {
+pub struct Solver {
     input: Input,
     components: Components,
     /// The free vertices, ascending.
@@ -100,7 +100,7 @@ struct Edited {
     followers: Followers,
 }
 
-/// What was asked, in the session's own memory, of the joined mesh. Changes go into the options.
+/// What was asked, in the solver's own memory, of the joined mesh. Changes go into the options.
 struct Input {
     positions: Vec<[f64; 3]>,
     triangles: Vec<[u32; 3]>,
@@ -246,11 +246,11 @@ impl Components {
     }
 }
 
-impl Session {
+impl Solver {
     /// Checks the input, and orders and analyses the matrices.
     ///
     /// # Errors
-    /// Those of [`fair`](super::fair), and [`Error::BadOption`] for a solver other than [`Solver::Fast`].
+    /// Those of [`fair`](super::fair), and [`Error::BadOption`] for a solver other than [`SolverKind::Fast`].
     pub fn new(
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
@@ -258,7 +258,7 @@ impl Session {
         options: &Options,
     ) -> Result<Self, Error> {
         options.validate()?;
-        if options.solver != Solver::Fast {
+        if options.solver != SolverKind::Fast {
             return Err(Error::BadOption {
                 name: "solver",
                 value: 1.0,
@@ -332,7 +332,7 @@ impl Session {
     }
 
     /// Asks for other boundary normals from now on. Where a curve of fixed vertices inside the region gets normals, or loses them,
-    /// the region is another one, and the session begins anew.
+    /// the region is another one, and the solver begins anew.
     ///
     /// # Errors
     /// [`Error::BadNormal`], [`Error::NoNormal`]; the normals before then hold on.

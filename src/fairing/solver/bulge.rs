@@ -1,6 +1,6 @@
 //! The range of the bulge: how far the boundary normals can be turned with a sound surface.
 
-use super::Session;
+use super::Solver;
 use crate::fairing::edit::{Budget, Edit};
 use crate::fairing::report::{Progress, ProgressCallback};
 use crate::support::error::Error;
@@ -26,7 +26,7 @@ const TRIALS: f64 = (2 * (STEPS + HALVINGS)) as f64;
 
 /// A search under way.
 struct Walk<'s, 'p, 'c> {
-    session: &'s mut Session,
+    solver: &'s mut Solver,
     progress: Option<&'p mut ProgressCallback<'c>>,
     /// The edits that are no bulge.
     others: Vec<Edit>,
@@ -34,7 +34,7 @@ struct Walk<'s, 'p, 'c> {
     is_stopped: bool,
 }
 
-impl Session {
+impl Solver {
     /// The amounts of [`Edit::Bulge`] between which a sound surface was found, in radians, with the other edits in force: the smallest is
     /// not above 0, the largest not below. They are found by walking outward from the fair surface in steps of 10 degrees up to 90, and are told
     /// to 1.25 degrees. Where there is no sound surface without bulge both are 0. The surface at hand stays; where there is none yet, it is
@@ -60,7 +60,7 @@ impl Session {
         let others = before.0.iter().filter(|e| !matches!(e, Edit::Bulge { .. }));
         let mut walk = Walk {
             others: others.cloned().collect(),
-            session: self,
+            solver: self,
             progress,
             trials: 0,
             is_stopped,
@@ -80,9 +80,9 @@ impl Walk<'_, '_, '_> {
         if !self.try_amount(0.0)? {
             return Ok(ends);
         }
-        let fair = self.session.components.surfaces();
+        let fair = self.solver.components.surfaces();
         for (end, sign) in ends.iter_mut().zip([-1.0, 1.0]) {
-            self.session.components.restore(fair.clone());
+            self.solver.components.restore(fair.clone());
             *end = sign * self.outward(sign)?;
         }
         Ok(ends)
@@ -119,20 +119,20 @@ impl Walk<'_, '_, '_> {
         if !self.goes_on() {
             return Ok(false);
         }
-        let before = self.session.components.surfaces();
+        let before = self.solver.components.surfaces();
         let mut edits = self.others.clone();
         edits.push(Edit::Bulge { amount });
-        self.session.edit(&edits)?;
+        self.solver.edit(&edits)?;
         let budget = Budget {
             evaluations: EVALUATIONS,
             ..Budget::default()
         };
-        let is_sound = self.session.update(&budget)?.is_settled && {
-            let solution = self.session.run(ITERATIONS, None)?;
+        let is_sound = self.solver.update(&budget)?.is_settled && {
+            let solution = self.solver.run(ITERATIONS, None)?;
             solution.report.outcome.is_success()
         };
         if !is_sound {
-            self.session.components.restore(before);
+            self.solver.components.restore(before);
         }
         Ok(is_sound)
     }
@@ -144,7 +144,7 @@ impl Walk<'_, '_, '_> {
             let told = callback(&Progress {
                 fraction: (f64::from(self.trials) / TRIALS).min(0.99),
                 iterations: self.trials as usize,
-                step: self.session.solution.report.step,
+                step: self.solver.solution.report.step,
                 phase: "range of the bulge",
             });
             self.is_stopped |= told.is_break();
