@@ -2590,6 +2590,15 @@ typedef struct fairmesh_info {
      * Of a trimmed mesh the area of what was taken away.
      */
     double dropped_area;
+    /**
+     * Not 0: there is nothing to be said of the whole result: what was to be faired converged without reservation, holes that were to be
+     * filled are, and not all loops were passed over as outer boundaries.
+     */
+    uint32_t is_success;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
 } fairmesh_info;
 
 /**
@@ -2767,6 +2776,15 @@ typedef struct fairmesh_fill_report {
      */
     uint32_t has_report;
     /**
+     * Not 0: there is nothing to be said of it: a patch that converged without reservation, or was not to be faired; or a loop that stayed open
+     * because it was not asked for.
+     */
+    uint32_t is_success;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
      * Wall seconds.
      */
     double seconds;
@@ -2883,18 +2901,10 @@ typedef struct fairmesh_bridge_report {
      */
     uint32_t struct_size;
     /**
-     * Not 0: there is nothing to be said of the result: what was to be faired converged, and no hole that was to be filled is open.
-     */
-    uint32_t is_clean;
-    /**
      * Not 0: there is a report of the fairing of all that is new together. Unless its outcome is CONVERGED, the strip and the patches
      * beside it are left as they were made.
      */
     uint32_t has_whole;
-    /**
-     * Zero.
-     */
-    uint32_t reserved;
     /**
      * By how much the strip is twisted from one chain to the other, in degrees between -180 and 180.
      */

@@ -214,6 +214,8 @@ public:
     fairmesh_info info() const {
         return detail::record<fairmesh_info>(fairmesh_result_info, handle_);
     }
+    /** Whether there is nothing to be said of the whole result, see fairmesh_info. */
+    bool is_success() const { return info().is_success != 0; }
     fairmesh_report report(std::uint64_t index = 0) const {
         return detail::record<fairmesh_report>(fairmesh_result_report, handle_, index);
     }

@@ -24,6 +24,8 @@ struct openmesh_bridged : fairmesh_bridge_report {
     std::array<std::vector<OpenMesh::VertexHandle>, 2> chains;
     /** The new vertices on either side of the strip: from the first run to the second, and back. */
     std::array<std::vector<OpenMesh::VertexHandle>, 2> sides;
+    /** Whether there is nothing to be said of the result, see fairmesh_info. */
+    bool is_success = false;
     /** If `has_whole` says so, how the fairing of all that is new together went. */
     fairmesh_report whole{};
 };
@@ -47,6 +49,7 @@ openmesh_bridged bridge(Mesh &mesh, const std::vector<OpenMesh::VertexHandle> &f
             done.chains[k] = detail::openmesh_handles<OpenMesh::VertexHandle>(made.list(FAIRMESH_LIST_BRIDGE_CHAIN, k));
             done.sides[k] = detail::openmesh_handles<OpenMesh::VertexHandle>(made.list(FAIRMESH_LIST_BRIDGE_SIDE, k));
         }
+        done.is_success = made.is_success();
         if (done.has_whole) {
             done.whole = made.report(made.info().loop_count);
         }

@@ -76,11 +76,11 @@ Values told(const fairmesh::result &bridged, const Host &host) {
         const fairmesh_fill_report hole = bridged.fill_report(i);
         (hole.outcome == FAIRMESH_FILL_OUTCOME_LEFT_OPEN ? open : closed) += 1;
         seconds += hole.seconds;
-        const std::string but = bridge.is_clean ? "" : reservation(hole);
+        const std::string but = info.is_success ? "" : reservation(hole);
         if (!but.empty())
             host.warn(text("Warning, beside the bridge, hole of %llu edges: ", static_cast<unsigned long long>(hole.edge_count)) + but);
     }
-    Values values = {{"converged", bridge.is_clean != 0},
+    Values values = {{"converged", info.is_success != 0},
                      {"fill_outcome", static_cast<int>(strip.outcome)},
                      {"twist", bridge.twist},
                      {"closed", closed},
@@ -98,10 +98,10 @@ Values told(const fairmesh::result &bridged, const Host &host) {
         values["outcome"] = static_cast<int>(report.outcome);
         values["defect"] = report.defect;
         values["iterations"] = static_cast<int>(report.iterations);
-        const std::string but = bridge.is_clean ? "" : reservation(report);
+        const std::string but = info.is_success ? "" : reservation(report);
         if (!but.empty()) host.warn(std::string("Warning, ") + (bridge.has_whole ? "all of it together: " : "the bridge: ") + but);
     }
-    const std::string but = bridge.is_clean ? "" : reservation(strip);
+    const std::string but = info.is_success ? "" : reservation(strip);
     if (!but.empty()) host.warn("Warning, the bridge: " + but);
     return values;
 }

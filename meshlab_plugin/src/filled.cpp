@@ -76,20 +76,18 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool 
     for (std::uint64_t i = 0; i < info.loop_count; ++i) {
         const fairmesh_fill_report hole = filled.fill_report(i);
         std::string but = reservation(hole);
-        bool fair = hole.outcome == FAIRMESH_FILL_OUTCOME_FAIRED || hole.reason == FAIRMESH_FILL_REASON_NO_INNER_VERTEX;
+        const bool fair = hole.is_success && hole.outcome != FAIRMESH_FILL_OUTCOME_LEFT_OPEN;
         if (hole.has_report) {
             const fairmesh_report report = filled.report(i);
             defect = std::max(defect, report.defect);
             iterations = std::max(iterations, report.iterations);
             if (report.outcome != FAIRMESH_OUTCOME_CONVERGED && but.empty()) but = "closed; " + reservation(report);
-            fair = fair && report.outcome == FAIRMESH_OUTCOME_CONVERGED;
             if (open + unfair == 0 && !fair) fairing = report.outcome;
         }
         if (hole.has_relaxed) {
             moved += hole.moved_count;
             moved_largest = std::max(moved_largest, hole.moved_largest);
             but += relaxed(hole);
-            fair = fair && hole.moved_unsound == 0;
         }
         if (open + unfair == 0 && !fair) outcome = hole.outcome;
         solve += hole.seconds;
@@ -110,7 +108,7 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool 
     if (moved > 0)
         host.log(
             text("Old vertices around the holes that moved: %llu, by %.4g at most", static_cast<unsigned long long>(moved), moved_largest));
-    return {{"converged", open + unfair == 0},
+    return {{"converged", info.is_success != 0},
             {"outcome", static_cast<int>(fairing)},
             {"fill_outcome", static_cast<int>(outcome)},
             {"closed", closed},

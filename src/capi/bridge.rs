@@ -90,7 +90,9 @@ fn read_bridge_options(
 fn content(of: Bridged, given: [usize; 2]) -> Content {
     let bridge = Some(report::bridge(&of));
     let kind = fairmesh_result_kind::Bridged;
+    let is_success = of.is_success();
     let mut made = Content::mesh(kind, of.positions, of.triangles, &of.parents, given)
+        .judged(is_success)
         .with_patches([of.strip].into_iter().chain(of.rest).collect())
         .each(fairmesh_list::BridgeChain, "chain", of.chains.into())
         .each(fairmesh_list::BridgeSide, "side", of.sides.into());

@@ -96,8 +96,9 @@ pub extern "C" fn fairmesh_fill_holes(
         result.put(bytes, &asked.callback, |tell| {
             let of = fill_holes_with_progress(&positions, &triangles, &fill, tell)?;
             let (kind, given) = (fairmesh_result_kind::Filled, [positions.len(), triangles.len()]);
+            let is_success = of.is_success();
             let mesh = Content::mesh(kind, of.positions, of.triangles, &of.parents, given);
-            Ok(mesh.with_patches(of.loops))
+            Ok(mesh.judged(is_success).with_patches(of.loops))
         })
     })
 }

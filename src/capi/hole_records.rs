@@ -99,6 +99,11 @@ pub struct fairmesh_fill_report {
     pub coarsened: u32,
     /// Not 0: there is a report of the fairing, see `fairmesh_result_report`.
     pub has_report: u32,
+    /// Not 0: there is nothing to be said of it: a patch that converged without reservation, or was not to be faired; or a loop that stayed open
+    /// because it was not asked for.
+    pub is_success: u32,
+    /// Zero.
+    pub reserved: u32,
     /// Wall seconds.
     pub seconds: f64,
     /// Pairs of intersecting triangles, at least one of each of this patch: the list INTERSECTIONS has two entries for each.
@@ -144,13 +149,9 @@ pub struct fairmesh_fill_report {
 pub struct fairmesh_bridge_report {
     /// `sizeof(fairmesh_bridge_report)`.
     pub struct_size: u32,
-    /// Not 0: there is nothing to be said of the result: what was to be faired converged, and no hole that was to be filled is open.
-    pub is_clean: u32,
     /// Not 0: there is a report of the fairing of all that is new together. Unless its outcome is CONVERGED, the strip and the patches
     /// beside it are left as they were made.
     pub has_whole: u32,
-    /// Zero.
-    pub reserved: u32,
     /// By how much the strip is twisted from one chain to the other, in degrees between -180 and 180.
     pub twist: f64,
     /// Holes beside the strip that were filled, or tried.

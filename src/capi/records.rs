@@ -273,6 +273,11 @@ pub struct fairmesh_info {
     pub cleaned_count: u64,
     /// Of a trimmed mesh the area of what was taken away.
     pub dropped_area: f64,
+    /// Not 0: there is nothing to be said of the whole result: what was to be faired converged without reservation, holes that were to be
+    /// filled are, and not all loops were passed over as outer boundaries.
+    pub is_success: u32,
+    /// Zero.
+    pub reserved: u32,
 }
 
 /// Lists of indices in a result. The first block is of faired meshes, and of loops of filled ones.

@@ -215,9 +215,7 @@ pub(crate) fn suggestion(of: &JoinSuggestion) -> fairmesh_join_suggestion {
 pub(crate) fn bridge(of: &Bridged) -> fairmesh_bridge_report {
     fairmesh_bridge_report {
         struct_size: size_of::<fairmesh_bridge_report>() as u32,
-        is_clean: u32::from(of.is_clean()),
         has_whole: u32::from(of.whole.is_some()),
-        reserved: 0,
         twist: of.twist,
         rest_count: of.rest.len() as u64,
     }
@@ -268,6 +266,8 @@ pub(crate) fn filled_loop(of: &LoopReport) -> fairmesh_fill_report {
         outside_count: of.outside.len() as u64,
         coarsened: u32::from(of.coarsened),
         has_report: u32::from(of.fairing.is_some()),
+        is_success: u32::from(of.is_success()),
+        reserved: 0,
         seconds: of.seconds,
         intersection_count: of.self_intersections.len() as u64,
         joined_count: of.loops.len() as u64,

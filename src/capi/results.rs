@@ -80,9 +80,19 @@ impl Content {
     pub(crate) fn new(kind: fairmesh_result_kind, sizes: fairmesh_info) -> Self {
         let kind = kind as u32;
         Self {
-            info: fairmesh_info { kind, ..sizes },
+            info: fairmesh_info {
+                kind,
+                is_success: 1,
+                ..sizes
+            },
             ..Self::default()
         }
+    }
+
+    /// With whether there is nothing to be said of it.
+    pub(crate) fn judged(mut self, is_success: bool) -> Self {
+        self.info.is_success = u32::from(is_success);
+        self
     }
 
     /// With a list, whatever index it is asked for with.
@@ -197,13 +207,16 @@ impl From<Solution> for Content {
             boundary_vertex_count: of.boundary_normals.len() as u64,
             ..fairmesh_info::default()
         };
+        let is_success = of.report.outcome.is_success();
         let (boundary, normals) = of.boundary_normals.into_iter().unzip();
         Self {
             positions: Some(of.positions),
             curvatures: Some([of.mean_curvature, of.gaussian_curvature]),
             vectors: Some((fairmesh_vectors::BoundaryNormals, normals)),
             reports: vec![Ok(of.report)],
-            ..Self::new(fairmesh_result_kind::Faired, sizes).one(List::BoundaryVertices, boundary)
+            ..Self::new(fairmesh_result_kind::Faired, sizes)
+                .judged(is_success)
+                .one(List::BoundaryVertices, boundary)
         }
     }
 }

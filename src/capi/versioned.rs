@@ -30,7 +30,7 @@ versioned! {
     fairmesh_fill_options 32 + 3 * WORD,
     fairmesh_remesh_options 24,
     fairmesh_bridge_options 16,
-    fairmesh_bridge_report 32,
+    fairmesh_bridge_report 24,
     fairmesh_loop 56,
     fairmesh_fill_report 104,
     fairmesh_join_suggestion 48,

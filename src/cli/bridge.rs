@@ -121,7 +121,7 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
         let told = led.told.iter().map(|line| format!("{line}\n"));
         readable(&bridged) + &told.collect::<String>()
     })?;
-    Ok(bridged.is_clean())
+    Ok(bridged.is_success())
 }
 
 fn solve(
@@ -170,7 +170,7 @@ fn in_story(bridged: &Bridged) -> Story {
     let strip = ("bridge".to_owned(), with_size(&bridged.strip), &bridged.strip);
     let rest = bridged.rest.iter().map(|of| (name(of), with_size(of), of));
     let patches: Vec<_> = std::iter::once(strip).chain(rest).collect();
-    let ended = (bridged.is_clean(), told(&bridged.strip));
+    let ended = (bridged.is_success(), told(&bridged.strip));
     story::of_patches("bridge", ended, &patches, false, readable(bridged))
 }
 

@@ -6,8 +6,8 @@ use std::time::Instant;
 
 use clap::Args;
 use fairmesh::{
-    BoundaryCurvature, FillOptions, FillOutcome, Filled, FlatReason, Join, LoopReport, Loops, OpenReason,
-    Options, Outcome, OutputPrecision, Progress, TrimLimits, fill_holes_with_progress,
+    BoundaryCurvature, FillOptions, FillOutcome, Filled, FlatReason, Join, LoopReport, Loops, Options,
+    OutputPrecision, Progress, TrimLimits, fill_holes_with_progress,
 };
 use serde_json::{Value, json};
 
@@ -186,10 +186,13 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
     let led = references::led(grown, format, &job.input, &job.output);
     output.write(&led.bytes)?;
     let total = start.elapsed().as_secs_f64();
+    // Outer boundaries that are passed over are no success by themselves; beside something that was done they are.
+    let is_good =
+        filled.is_success() || dropped + trimmed > 0 && filled.loops.iter().all(LoopReport::is_success);
     let json = || {
         let (first, face) = face_numbers(&mesh, format);
         let loops: Vec<Value> = filled.loops.iter().map(|l| reported(l, first, face)).collect();
-        json!({ "loops": loops, "region": region.json(), "dropped_components": dropped, "new_vertices": filled.parents.len(),
+        json!({ "success": is_good, "loops": loops, "region": region.json(), "dropped_components": dropped, "new_vertices": filled.parents.len(),
             "trimmed_faces": trimmed, "trimmed_area": trimmed_area,
             "dropped_faces": erased.as_ref().map_or(0, |of| of.dropped),
             "cleaned_faces": erased.as_ref().map_or(0, |of| of.cleaned),
@@ -205,7 +208,6 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
         let region: String = region.told.iter().map(|line| format!("{line}\n")).collect();
         region + &trimmed + &readable(&filled, args, dropped, more)
     };
-    let is_good = filled.loops.iter().all(is_clean);
     if let Some((pictures, before)) = pictures.as_ref().zip(before.as_ref()) {
         let after = MeshSide {
             positions: &filled.positions,
@@ -234,7 +236,7 @@ fn counted(filled: &Filled) -> String {
     let loops = &filled.loops;
     let is_open = |report: &&LoopReport| matches!(report.outcome, FillOutcome::LeftOpen(_));
     let open = loops.iter().filter(is_open).count();
-    let unfair = loops.iter().filter(|l| !is_open(l) && !is_clean(l)).count();
+    let unfair = loops.iter().filter(|l| !is_open(l) && !l.is_success()).count();
     let mut text = format!("{} filled", loops.len() - open);
     if unfair > 0 {
         let _ = write!(text, ", {unfair} of them not fair");
@@ -310,27 +312,6 @@ fn solve(
     );
     bar.finish();
     filled
-}
-
-/// Filled and fair, or nothing more was asked for, or left open by rule.
-fn is_clean(report: &LoopReport) -> bool {
-    if report.rim.as_ref().is_some_and(|rim| !rim.is_sound()) {
-        return false;
-    }
-    match &report.outcome {
-        FillOutcome::Faired => report
-            .fairing
-            .as_ref()
-            .is_some_and(|fairing| fairing.outcome == Outcome::Converged),
-        FillOutcome::Flat { reason } => matches!(reason, FlatReason::NotAsked | FlatReason::NoInnerVertex),
-        FillOutcome::LeftOpen(reason) => {
-            matches!(
-                reason,
-                OpenReason::OuterBoundary | OpenReason::TooManyEdges | OpenReason::NotAsked
-            )
-        }
-        _ => false,
-    }
 }
 
 /// How a patch ended, in words.
@@ -417,6 +398,8 @@ fn readable(filled: &Filled, args: &FillArgs, dropped: usize, [loose, cleaned]: 
     }
     if filled.loops.is_empty() {
         text += "no boundary: nothing to fill\n";
+    } else if !filled.is_success() && filled.loops.iter().all(LoopReport::is_success) {
+        text += "nothing was filled: no boundary of the mesh is a hole\n";
     }
     for report in &filled.loops {
         let _ = write!(
@@ -466,7 +449,7 @@ pub fn reported(report: &LoopReport, first: usize, face: impl Fn(u32) -> usize) 
     });
     json!({
         "index": report.index, "loops": report.loops, "joined": report.joined.as_ref().map(join::json),
-        "edges": report.edges, "outcome": report.outcome.name(), "told": told(report),
+        "edges": report.edges, "outcome": report.outcome.name(), "success": report.is_success(), "told": told(report),
         "vertices": [report.vertices.start, report.vertices.end], "faces": faces, "fairing": fairing,
         "normals_reached": report.normals_reached, "worst_angle": report.worst_angle, "outside": report.outside, "coarsened": report.coarsened,
         "intersections": { "count": pairs.len(), "list": pairs }, "rim": rim, "seconds": report.seconds,

@@ -1,8 +1,8 @@
 //! A mesh with a bridge, and what is told of it.
 
-use super::outcome::{FillOutcome, FlatReason, LoopReport};
+use super::outcome::LoopReport;
 use super::parents::Parents;
-use crate::fairing::{Outcome, Report};
+use crate::fairing::Report;
 
 /// A mesh with a bridge.
 #[derive(Debug, Clone)]
@@ -25,30 +25,20 @@ pub struct Bridged {
     /// What became of the holes beside it, if they were to be filled. Their numbers are those of the boundary loops of the mesh with
     /// the strip.
     pub rest: Vec<LoopReport>,
-    /// The fairing of all new vertices together, if holes were filled. Unless its outcome is [`Outcome::Converged`], the strip and the patches
+    /// The fairing of all new vertices together, if holes were filled. Unless its outcome is [`Outcome::Converged`](crate::Outcome::Converged), the strip and the patches
     /// are left as they were made.
     pub whole: Option<Report>,
 }
 
 impl Bridged {
     /// Whether there is nothing to be said of the result: all that is new converged together, or strip and patches did by themselves, as far as
-    /// they were to be faired; and no hole that was to be filled is open.
-    pub fn is_clean(&self) -> bool {
-        let is_converged = |of: &Option<Report>| {
-            of.as_ref()
-                .is_some_and(|report| report.outcome == Outcome::Converged)
-        };
-        let is_good = |of: &LoopReport| match &of.outcome {
-            FillOutcome::Faired => is_converged(&of.fairing),
-            FillOutcome::Flat { reason } => {
-                matches!(reason, FlatReason::NotAsked | FlatReason::NoInnerVertex)
-            }
-            _ => false,
-        };
-        let is_open = |of: &LoopReport| matches!(of.outcome, FillOutcome::LeftOpen(_));
-        match is_converged(&self.whole) {
-            true => !self.rest.iter().any(is_open),
-            false => self.whole.is_none() && is_good(&self.strip) && self.rest.iter().all(is_good),
+    /// they were to be faired; and no hole that was to be filled is open. The same in every host.
+    pub fn is_success(&self) -> bool {
+        let is_filled = |of: &LoopReport| !of.is_open();
+        let is_good = |of: &LoopReport| is_filled(of) && of.is_success();
+        match &self.whole {
+            Some(report) => report.outcome.is_success() && self.rest.iter().all(is_filled),
+            None => is_good(&self.strip) && self.rest.iter().all(is_good),
         }
     }
 }

@@ -41,6 +41,16 @@ pub struct Filled {
     pub loops: Vec<LoopReport>,
 }
 
+impl Filled {
+    /// Whether there is nothing to be said of the result: all loops are [successes](LoopReport::is_success), and it is not so that
+    /// outer boundaries stayed open and nothing was filled. The same in every host.
+    pub fn is_success(&self) -> bool {
+        let is_outer = |of: &LoopReport| of.outcome == FillOutcome::LeftOpen(OpenReason::OuterBoundary);
+        let is_skipped = self.loops.iter().all(LoopReport::is_open) && self.loops.iter().any(is_outer);
+        self.loops.iter().all(LoopReport::is_success) && !is_skipped
+    }
+}
+
 /// Fills holes of a triangle mesh: triangulates, refines and fairs each. `positions` is #V by 3, `triangles` #T by 3,
 /// counter-clockwise seen from the side that normals point to.
 ///

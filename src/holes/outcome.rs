@@ -196,6 +196,33 @@ pub struct LoopReport {
     pub seconds: f64,
 }
 
+impl LoopReport {
+    /// Whether there is nothing to be said of it: a patch that converged without reservation, or was not to be faired; or a loop that
+    /// stayed open because it was not asked for. The same in every host.
+    pub fn is_success(&self) -> bool {
+        if self.rim.as_ref().is_some_and(|rim| !rim.is_sound()) {
+            return false;
+        }
+        match &self.outcome {
+            FillOutcome::Faired => self
+                .fairing
+                .as_ref()
+                .is_some_and(|report| report.outcome.is_success()),
+            FillOutcome::Flat { reason } => {
+                matches!(reason, FlatReason::NotAsked | FlatReason::NoInnerVertex)
+            }
+            FillOutcome::LeftOpen(
+                OpenReason::OuterBoundary | OpenReason::TooManyEdges | OpenReason::NotAsked,
+            ) => true,
+            _ => false,
+        }
+    }
+
+    pub(super) fn is_open(&self) -> bool {
+        matches!(self.outcome, FillOutcome::LeftOpen(_))
+    }
+}
+
 /// Turns the numbers in a report into others.
 pub(super) fn renumber(report: &mut Report, vertex: impl Fn(u32) -> u32, triangle: impl Fn(u32) -> u32) {
     renumber_judgement(&mut report.quality, &mut report.outcome, &vertex, &triangle);

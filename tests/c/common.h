@@ -147,8 +147,8 @@ static Cap cap_new(size_t side) {
     cap.corners = (uint32_t *)must(malloc(3 * cap.triangles * sizeof(uint32_t)));
     cap.free_mask = (uint8_t *)must(malloc(cap.vertices));
     for (v = 0; v < cap.vertices; v++) {
-        double x = 1.2 * (double)(v % side) / (double)(side - 1) - 0.6;
-        double y = 1.2 * (double)(v / side) / (double)(side - 1) - 0.6;
+        double x = 0.8 * (double)(v % side) / (double)(side - 1) - 0.4;
+        double y = 0.8 * (double)(v / side) / (double)(side - 1) - 0.4;
         double z = sqrt(1.0 - x * x - y * y), dent = 1.0;
         cap.free_mask[v] = (uint8_t)cap_is_free(side, v);
         if (cap.free_mask[v]) dent = 0.9 + 0.004 * (double)(v % 7);

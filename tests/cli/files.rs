@@ -235,8 +235,12 @@ fn a_leading_face_of_two_corners_shifts_nothing() {
     );
     // To another format, in which it has no place: the faces are those of the file, and new ones are numbered behind them.
     let args = ["fill", "cap.obj", "-o", "out.off", "-q", "--json", "-"];
-    let (out, _) = expect(&directory, &args, 0);
+    let (out, _) = expect(&directory, &args, 3);
     let report: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(
+        (&report["success"], &report["loops"][0]["success"]),
+        (&false.into(), &true.into())
+    );
     assert_eq!(
         report["loops"][0]["faces"],
         serde_json::json!([quads().len(), quads().len()])

@@ -300,7 +300,7 @@ void bridging() {
     fairmesh::bridge_options how;
     how.fill = 1;
     const auto whole = fairmesh::bridge(ball.mesh, from, to, how);
-    CHECK(whole.bridge_report().is_clean && whole.bridge_report().rest_count == 1 && whole.info().loop_count == 2);
+    CHECK(whole.info().is_success && whole.bridge_report().rest_count == 1 && whole.info().loop_count == 2);
     check_whole_sphere(whole);
     fairmesh::fill_options fill;
     fill.join_auto();

@@ -140,7 +140,7 @@ fn a_bridge_over_a_hole_of_a_sphere_lies_on_it_and_the_rest_is_filled() {
         assert_eq!(loops.len(), before.len() + 1);
         let alone = off_sphere(&mesh, &strip);
         let filled = run(&mesh, [&[a], &[b]], &options(Some(0.25), true));
-        assert!(filled.is_clean());
+        assert!(filled.is_success());
         assert_eq!(filled.rest.len(), 2);
         let together = off_sphere(&mesh, &filled);
         println!(
@@ -240,7 +240,7 @@ fn a_bridge_between_two_ends_of_a_cylinder_is_a_part_of_it() {
     assert!(error < 3e-3, "{error}");
     // The rest of the gap is one loop.
     let filled = run(&mesh, [&upper, &lower], &options(None, true));
-    assert!(filled.is_clean(), "{:?}", filled.whole.map(|of| of.outcome));
+    assert!(filled.is_success(), "{:?}", filled.whole.map(|of| of.outcome));
     let new = &filled.positions[mesh.0.len()..];
     let error = new
         .iter()

@@ -1,6 +1,6 @@
 //! Holes are told from outer boundaries, with noise too.
 
-use fairmesh::{LoopKind, boundary_loops};
+use fairmesh::{FillOptions, FillOutcome, LoopKind, LoopReport, boundary_loops, fill_holes};
 use fairmesh_shapes::{Sampling, sphere_with_hole};
 
 use crate::holes::largest;
@@ -24,6 +24,14 @@ fn sheet(height: fn(f64, f64) -> f64) -> Mesh {
     let corners = (0..29).flat_map(|j| (0..29).map(move |i| 30 * j + i));
     let triangles = corners.flat_map(|a| [[a, a + 1, a + 31], [a, a + 31, a + 30]]);
     (x.collect(), triangles.collect())
+}
+
+/// Two half planes that meet at a sharp edge, with a hole across it of this half width.
+fn roof(half: f64) -> Mesh {
+    let (x, t) = sheet(|_, q| -3.0 * q.abs());
+    let is_inside = |&v: &u32| x[v as usize][..2].iter().all(|c| c.abs() < half);
+    let kept = t.iter().filter(|t| !t.iter().all(is_inside)).copied().collect();
+    (x, kept)
 }
 
 /// The unit sphere with a hole of so many degrees, half across.
@@ -82,6 +90,32 @@ fn noisy_holes_are_holes_and_noisy_sheets_have_outer_boundaries() {
             check(name, &mesh, LoopKind::OuterBoundary, amplitude.min(0.1), false);
         }
     }
+}
+
+/// A filling that only passes over outer boundaries is no success; beside a hole they are none of its business.
+#[test]
+fn a_sheet_without_holes_is_not_filled_successfully() {
+    let (x, mut t) = sheet(|p, q| 0.1 * p * q);
+    let alone = fill_holes(&x, &t, &FillOptions::default()).unwrap();
+    assert!(alone.loops.iter().all(LoopReport::is_success) && !alone.is_success());
+    t.remove(800);
+    let filled = fill_holes(&x, &t, &FillOptions::default()).unwrap();
+    assert_eq!(filled.loops.len(), 2);
+    assert!(filled.loops.iter().all(LoopReport::is_success) && filled.is_success());
+    let [x, t] = [&filled.positions.len(), &filled.triangles.len()];
+    assert_eq!([*x, *t], [900, 29 * 29 * 2]);
+}
+
+/// A hole across the edge of a cube gets a creased patch, or none that is fair.
+#[test]
+fn a_patch_across_a_sharp_edge_is_no_success() {
+    let (x, t) = roof(0.9);
+    let filled = fill_holes(&x, &t, &FillOptions::default()).unwrap();
+    let hole = filled
+        .loops
+        .iter()
+        .find(|l| !matches!(l.outcome, FillOutcome::LeftOpen(_)));
+    assert!(!hole.unwrap().is_success() && !filled.is_success(), "{hole:?}");
 }
 
 #[test]

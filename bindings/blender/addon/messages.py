@@ -125,7 +125,7 @@ def filled(loops, continuity=0.0, size=1.0):
     """How a filling went: ("INFO" or "WARNING", text). `loops`: a list of `fairmesh.LoopReport`; `size`: of their unit."""
     closed = [loop for loop in loops if loop.outcome is not FillOutcome.LEFT_OPEN]
     text = _count(closed) + _moved(closed, size)
-    rough = [loop for loop in closed if _is_rough(loop)]
+    rough = [loop for loop in closed if not loop.is_success]
     still = [loop for loop in loops if loop.outcome is FillOutcome.LEFT_OPEN]
     if rough:
         text += f", {len(rough)} of them not fair: {_reason(rough[0])}"
@@ -141,12 +141,12 @@ def filled(loops, continuity=0.0, size=1.0):
 def bridged(result, is_faired):
     """How a bridge went: ("INFO" or "WARNING", text)."""
     text = f"bridge of {result.new_face_count} faces"
-    if not is_faired or result.is_clean:
+    if not is_faired or result.is_success:
         return "INFO", text
     if result.whole is not None:
         return "WARNING", f"{text}; together, {faired(result.whole)[1]}"
     loops = [result.strip, *result.rest]
-    rough = [loop for loop in loops if loop.outcome is FillOutcome.LEFT_OPEN or _is_rough(loop)]
+    rough = [loop for loop in loops if loop.outcome is FillOutcome.LEFT_OPEN or not loop.is_success]
     return "WARNING", text + (f", not fair: {_reason(rough[0])}" if rough else "")
 
 
@@ -176,13 +176,6 @@ def _moved(closed, size):
     count, largest = sum(each.count for each in moved), size * max(each.largest for each in moved)
     return f"; {count} vertices around moved, by {largest:.3g} at most"
 
-
-def _is_rough(loop):
-    if loop.moved is not None and loop.moved.unsound:
-        return True
-    if loop.outcome is FillOutcome.FLAT:
-        return loop.reason not in (FillReason.NOT_ASKED, FillReason.NO_INNER_VERTEX)
-    return loop.outcome is not FillOutcome.FAIRED or not loop.report.outcome.is_success
 
 
 def _reason(loop):

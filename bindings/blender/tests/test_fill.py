@@ -180,12 +180,12 @@ def test_holes_with_hidden_vertices_stay_open():
 
 def test_the_outer_boundary_of_a_piece_is_filled_on_demand_only():
     obj = irregular_sphere(12)
-    delete_faces(obj, lambda f: f.calc_center_median().z < 0.8 or f.calc_center_median().z > 0.97)
-    outer = len([e for e in boundary_edges(obj) if middle(e).z < 0.9])
+    delete_faces(obj, lambda f: f.calc_center_median().z < 0.88 or f.calc_center_median().z > 0.98)
+    outer = len([e for e in boundary_edges(obj) if middle(e).z < 0.93])
     bpy.ops.mesh.select_all(action="SELECT")
     fill()
     left = boundary_edges(obj)
-    assert len(left) == outer and all(middle(e).z < 0.9 for e in left)
+    assert len(left) == outer and all(middle(e).z < 0.93 for e in left)
     bpy.ops.mesh.select_all(action="SELECT")
     runner.raises(fill, "outer boundary of an open surface", "Outer Boundaries, Too")
     fill(outer=True)

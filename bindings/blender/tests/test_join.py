@@ -185,7 +185,7 @@ def test_one_triangle_is_erased_and_comes_back():
 
 def test_what_cannot_be_erased_stays():
     obj = irregular_sphere(12)
-    delete_faces(obj, lambda f: f.calc_center_median().z < 0.85)
+    delete_faces(obj, lambda f: f.calc_center_median().z < 0.9)
     edit(obj)
     runner.raises(erase, "Nothing is selected: select the faces that are to be replaced")
     next(iter(bmesh.from_edit_mesh(obj.data).verts)).select_set(True)

@@ -99,7 +99,7 @@ def test_bridges_and_guides():
     vertices, faces = band_missing()
     start, end = band_chains(vertices, faces)
     strip = fairmesh.bridge(vertices, faces, start, end)
-    assert strip.is_clean and strip.whole is None and strip.rest == [] and abs(strip.twist) < 10
+    assert strip.is_success and strip.whole is None and strip.rest == [] and abs(strip.twist) < 10
     assert fairmesh.bridge(vertices, faces, start, end[::-1], fill=True).whole.outcome.is_success
     for given, status in (({"start": [0, 1]}, Status.BAD_CHAIN), ({"width": -1.0}, Status.BAD_OPTION)):
         with pytest.raises(fairmesh.InputError) as error:

@@ -54,6 +54,9 @@ export interface NewMesh<P extends Floats = Floats> {
     /** The last so many of the vertices, and of the triangles, are new. */
     newVertexCount: number;
     newTriangleCount: number;
+    /** Whether there is nothing to be said of the result: what was to be faired converged without reservation, holes that were to be filled
+     *  are, and not all loops were passed over as outer boundaries. */
+    isSuccess: boolean;
     /** Per new vertex the three vertices of the mesh given that it comes from, and their weights, whose sum is 1. */
     parents: Uint32Array;
     parentWeights: Float64Array;
@@ -92,6 +95,7 @@ export function newMesh(result: ResultHandle, mesh: MeshIn): NewMesh {
         triangles: result.triangles(info.triangleCount),
         newVertexCount: info.newVertexCount,
         newTriangleCount: info.newTriangleCount,
+        isSuccess: Boolean(info.isSuccess),
         parents: result.list("parents"),
         parentWeights: result.vectors("parent_weights", info.newVertexCount),
     };

@@ -135,7 +135,7 @@ test("loops are joined, and a bridge is made", () => {
     const chains = [0, 15].map((ring) => [0, 1, 2, 3, 4].map((i) => 32 * ring + i));
     const strip = library.bridge(two, chains[0], chains[1]);
     assert.deepEqual(Array.from(strip.chains[0]).sort((a, b) => a - b), chains[0]);
-    assert.ok(strip.newTriangleCount > 0 && strip.rest.length === 0 && strip.whole === null && strip.isClean);
+    assert.ok(strip.newTriangleCount > 0 && strip.rest.length === 0 && strip.whole === null && strip.isSuccess);
     assert.ok(strip.sides[0].length > 0 && strip.sides[1].length > 0 && Math.abs(strip.twist) < 0.1);
     assert.ok(library.bridge(two, chains[0], chains[1], { fill: true }).whole.isSuccess);
 });

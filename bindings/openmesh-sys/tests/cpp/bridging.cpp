@@ -47,7 +47,7 @@ template <class Mesh> void bridging(double bar) {
     Mesh mesh = whole;
     const auto edge = [&](VertexHandle a, VertexHandle b) { return mesh.edge_handle(mesh.find_halfedge(a, b)); };
     auto done = fairmesh::bridge(mesh, edge(at(6, 7), at(6, 8)), edge(at(10, 8), at(10, 9)));
-    CHECK(done.strip.outcome == FAIRMESH_FILL_OUTCOME_FAIRED && done.rest.empty() && done.is_clean && !done.has_whole);
+    CHECK(done.strip.outcome == FAIRMESH_FILL_OUTCOME_FAIRED && done.rest.empty() && done.is_success && !done.has_whole);
     CHECK(done.chains[0].size() == 2 && done.chains[1].size() == 2 && !done.sides[0].empty() && !done.sides[1].empty());
     CHECK(mesh.n_faces() == whole.n_faces() + done.strip.faces.size() && fairmesh::boundary_loops(mesh).size() == 3);
     CHECK(off_sphere(mesh, done.strip.vertices, 20) < 5e-3);

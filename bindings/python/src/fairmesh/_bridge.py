@@ -34,7 +34,7 @@ class Bridged(NewMesh[M]):
         handle.read("fairmesh_result_bridge", told)
         #: Whether there is nothing to be said of it: what was to be faired converged, and no hole that was to be filled
         #: is open.
-        self.is_clean = bool(told.is_clean)
+        self.is_success = bool(handle.info().is_success)
         #: By how much the strip is twisted from one chain to the other, in degrees between -180 and 180.
         self.twist: float = told.twist
         #: What became of the strip.

@@ -68,6 +68,9 @@ class LoopReport:
         self._handle = handle
         self._index = index
         self.outcome: FillOutcome = FillOutcome.of(struct.outcome)
+        #: Whether there is nothing to be said of it: a patch that converged without reservation, or was not to be
+        #: faired; or a loop that stayed open because it was not asked for.
+        self.is_success = bool(struct.is_success)
         #: Why it is flat or open.
         self.reason: FillReason = FillReason.of(struct.reason)
         #: The status that the fairing was refused with, or None.
@@ -194,6 +197,12 @@ class Filled(NewMesh[M]):
     def loops(self) -> list[LoopReport]:
         """What became of each loop."""
         return [LoopReport(self._handle, index) for index in range(self._handle.info().loop_count)]
+
+    @property
+    def is_success(self) -> bool:
+        """Whether there is nothing to be said of the result: all loops are successes, and not all of them were passed
+        over as outer boundaries. Where it is not, the command line ends with exit code 3."""
+        return bool(self._handle.info().is_success)
 
     @property
     def outcomes(self) -> list[FillOutcome]:
