@@ -3278,7 +3278,8 @@ fairmesh_status fairmesh_solver_result(const struct fairmesh_solver *solver,
                                        struct fairmesh_error *error);
 
 /**
- * Frees a solver. NULL is allowed. BUSY while it is in use, also from its own callback; nothing is freed then.
+ * Frees a solver. NULL is allowed. BUSY while it is in use, also from its own callback; nothing is freed then. In a forked process the solvers of
+ * its parent are BAD_HANDLE to all functions, this one too.
  */
 FAIRMESH_API
 fairmesh_status fairmesh_solver_free(struct fairmesh_solver *solver);

@@ -1,6 +1,6 @@
 //! What a handle of a solver stands for.
 
-use std::sync::{Mutex, TryLockError};
+use std::sync::{Arc, Mutex, TryLockError};
 
 use super::callback::HostCallback;
 use super::guard::{guarded, point};
@@ -8,12 +8,17 @@ use super::handles;
 use super::memory::Reserve;
 use super::outputs::with_memory;
 use super::status::{CallResult, Failure, fairmesh_error, fairmesh_status as Status};
+use super::structs::refuse;
 use super::types::fairmesh_solver;
 use super::views::{Argument, Call};
 use fairmesh::{ProgressCallback, Solver};
 
 /// One user at a time. Who panics with the lock poisons it.
-pub(crate) struct Shared(Mutex<HeldSolver>);
+pub(crate) struct Shared {
+    solver: Mutex<HeldSolver>,
+    /// The process that its threads are in: a forked one has none of them.
+    process: u32,
+}
 
 pub(crate) struct HeldSolver {
     pub solver: Solver,
@@ -39,13 +44,45 @@ impl HeldSolver {
 
 impl Shared {
     pub(crate) fn new(solver: HeldSolver) -> Self {
-        Self(Mutex::new(solver))
+        Self {
+            solver: Mutex::new(solver),
+            process: process(),
+        }
+    }
+
+    /// The solver of a handle, in the process that it was made in.
+    fn of(handle: *const fairmesh_solver) -> CallResult<Arc<Self>> {
+        let shared = handles::get::<_, Self>(handle, Argument(1))?;
+        match shared.process == process() {
+            true => Ok(shared),
+            false => {
+                Err(refuse!(Argument(1).itself() => BadHandle, "a solver of the process that was forked"))
+            }
+        }
     }
 
     /// Whether somebody uses it.
     pub(crate) fn is_busy(&self) -> bool {
-        matches!(self.0.try_lock(), Err(TryLockError::WouldBlock))
+        matches!(self.solver.try_lock(), Err(TryLockError::WouldBlock))
     }
+}
+
+/// The number of this process, where there are several.
+fn process() -> u32 {
+    if cfg!(target_family = "wasm") {
+        0
+    } else {
+        std::process::id()
+    }
+}
+
+/// Frees a solver that nobody uses. In a forked process it is left alone: it would wait for threads that are not there.
+pub(crate) fn free(handle: *const fairmesh_solver) -> CallResult {
+    if Shared::of(handle)?.is_busy() {
+        return Err(busy());
+    }
+    handles::remove(handle);
+    Ok(())
 }
 
 /// Runs a function whose first argument is a solver, if nobody else uses it.
@@ -55,8 +92,8 @@ pub(crate) fn with_solver(
     body: impl FnOnce(&mut HeldSolver, &mut Call) -> CallResult,
 ) -> Status {
     guarded(error, |call| {
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        let mut solver = shared.0.try_lock().map_err(|why| match why {
+        let shared = Shared::of(solver)?;
+        let mut solver = shared.solver.try_lock().map_err(|why| match why {
             TryLockError::WouldBlock => busy(),
             TryLockError::Poisoned(_) => Failure::new(
                 Status::Internal,

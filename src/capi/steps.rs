@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use super::choices::count;
 use super::guard::guarded;
-use super::handles;
 use super::input::{CurvatureIn, LoopsIn, MeshIn, NormalsIn, SelectionIn};
 use super::memory_bounds;
 use super::option_structs::fairmesh_options;
@@ -12,7 +11,7 @@ use super::options::{OptionsIn, refused, target};
 use super::outputs::*;
 use super::report;
 use super::results::{attempt_of, component_of, continuity_of};
-use super::solvers::{HeldSolver, Shared, busy, with_solver};
+use super::solvers::{HeldSolver, Shared, free, with_solver};
 use super::status::*;
 use super::types::*;
 use super::views::*;
@@ -252,17 +251,12 @@ pub extern "C" fn fairmesh_solver_result(
     })
 }
 
-/// Frees a solver. NULL is allowed. BUSY while it is in use, also from its own callback; nothing is freed then.
+/// Frees a solver. NULL is allowed. BUSY while it is in use, also from its own callback; nothing is freed then. In a forked process the solvers of
+/// its parent are BAD_HANDLE to all functions, this one too.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_solver_free(solver: *mut fairmesh_solver) -> fairmesh_status {
-    guarded(core::ptr::null_mut(), |_| {
-        if solver.is_null() {
-            return Ok(());
-        }
-        if handles::get::<_, Shared>(solver, Argument(1))?.is_busy() {
-            return Err(busy());
-        }
-        handles::remove(solver);
-        Ok(())
+    guarded(core::ptr::null_mut(), |_| match solver.is_null() {
+        true => Ok(()),
+        false => free(solver),
     })
 }

@@ -23,16 +23,15 @@ use crate::patches::{Files, PatchArgs, face_numbers};
 /// What `fairmesh bridge` is asked.
 #[derive(Debug, Args)]
 pub struct BridgeArgs {
-    /// The mesh: .ply, .obj, .off or .stl, perhaps with .gz behind it; '-': from stdin
+    /// Mesh file: .ply, .obj, .off or .stl, optionally .gz; '-': stdin
     input: PathBuf,
-    /// Where the result goes; may be the input itself, or '-': to stdout. A file is written whole
-    /// or not at all
+    /// Output file; may be the input; '-': stdout. Written completely or not at all
     #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
     output: PathBuf,
     #[command(flatten)]
     pipes: PipesArgs,
-    /// The vertices of a run of boundary edges, one after the other, in either
-    /// direction, as in 12,13,14; one is enough with --width
+    /// Where the bridge begins: consecutive boundary vertices, in either direction,
+    /// as in 12,13,14; with --width, one is enough
     #[arg(
         long,
         value_name = "VERTICES",
@@ -41,14 +40,14 @@ pub struct BridgeArgs {
         verbatim_doc_comment
     )]
     from: Vec<u32>,
-    /// The run at the other end, of the same hole or of another boundary
+    /// Where it ends, on the same boundary or another one
     #[arg(long, value_name = "VERTICES", value_delimiter = ',', required = true)]
     to: Vec<u32>,
-    /// Both runs are made longer or shorter about their middles, along their
-    /// boundaries, to about this length [default: as they are]
+    /// Width of the bridge: both ends are lengthened or shortened along their
+    /// boundaries to about this length [default: as given]
     #[arg(long, value_name = "X", verbatim_doc_comment)]
     width: Option<f64>,
-    /// Fills the holes beside the bridge, too, and fairs all that is new together
+    /// Also fill the holes beside the bridge, and fair everything new together
     #[arg(long)]
     fill: bool,
     #[command(flatten)]

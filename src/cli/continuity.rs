@@ -16,10 +16,10 @@ const SHOWN: usize = 8;
 /// What is asked.
 #[derive(Debug, Args)]
 pub struct ContinuityArgs {
-    /// How far the surface continues the mean curvature of its surroundings:
-    /// 'g1' (tangent planes alone), 'g2' (curvature, too), or a number between:
-    /// 0 is g1, 1 is g2. Only as far as the surroundings are smooth enough to
-    /// tell their curvature: the report says so for each boundary loop
+    /// How smoothly the surface continues its surroundings: 'g1' (tangent planes),
+    /// 'g2' (mean curvature, too), or a number from 0 (g1) to 1 (g2). Less is reached
+    /// where the surroundings are too rough to tell their curvature; the report says
+    /// how much for each boundary loop
     #[arg(
         long,
         value_name = "HOW-FAR",
@@ -29,8 +29,8 @@ pub struct ContinuityArgs {
         verbatim_doc_comment
     )]
     pub continuity: f64,
-    /// The same for the boundary loop through a vertex of the file, in place of
-    /// --continuity; may be given several times
+    /// The same for the boundary loop through a vertex, instead of
+    /// --continuity; may be repeated
     #[arg(
         long,
         value_name = "VERTEX=HOW-FAR",
@@ -39,8 +39,8 @@ pub struct ContinuityArgs {
         verbatim_doc_comment
     )]
     pub continuity_at: Vec<(u32, f64)>,
-    /// The mean curvature to continue, where it is not to be fitted to the
-    /// surroundings: a text file with 'vertex H' per line
+    /// Mean curvatures to continue, instead of those of the surroundings:
+    /// a text file with 'vertex H' per line
     #[arg(
         long,
         value_name = "FILE",

@@ -31,22 +31,22 @@ use input::FairInput;
 pub struct FairArgs {
     #[command(flatten)]
     files: FilesArgs,
-    /// Writes the report as JSON, too; '-': to stdout, instead of the readable one
+    /// Also write the report as JSON; '-': to stdout, instead of the text
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// No progress bar and no report; errors are still told
+    /// No progress bar, no report; errors are still printed
     #[arg(short, long)]
     quiet: bool,
-    /// Lists in the report what was tried, on which mesh, and with what end
+    /// List in the report every attempt, on which mesh, and how it ended
     #[arg(short, long, conflicts_with = "quiet")]
     verbose: bool,
     #[command(flatten)]
     mesh: MeshArgs,
     #[command(flatten)]
     region: RegionArgs,
-    /// Normals at fixed vertices beside the region: 'fitted' to the surroundings,
+    /// Normals along the boundary of the region: 'fitted' to the surroundings,
     /// 'averaged' over the triangles outside, or a text file with
-    /// 'vertex nx ny nz' per line; the others are fitted
+    /// 'vertex nx ny nz' per line (others are fitted)
     #[arg(
         long,
         value_name = "WHICH",
@@ -61,10 +61,10 @@ pub struct FairArgs {
     surface: SurfaceArgs,
     #[command(flatten)]
     intersections: IntersectionArgs,
-    /// Triangulates the region anew before, with edges as long as those
-    /// around it: for features whose vertices would crowd. Where its shape leads
-    /// to no sound surface, it is deleted and the hole filled. The output then
-    /// holds vertices and triangles and nothing else
+    /// Triangulate the region anew first, with edges as long as those around it:
+    /// for features whose vertices would crowd. If that leads to no sound surface,
+    /// the region is deleted and the hole filled. The output then has only
+    /// vertices and triangles
     #[arg(long, help_heading = "Surface", verbatim_doc_comment)]
     remesh: bool,
     #[command(flatten)]
@@ -75,8 +75,8 @@ pub struct FairArgs {
     /// diagonal, between 0 and 1 [default: 1e-8]
     #[arg(long, value_name = "X", help_heading = "Solver", verbatim_doc_comment)]
     tolerance: Option<f64>,
-    /// Worker threads, 0: as many as the machine has;
-    /// the result is the same to the last bit
+    /// Worker threads; 0: one per processor.
+    /// The result does not depend on it
     #[arg(
         long,
         value_name = "N",

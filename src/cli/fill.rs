@@ -37,8 +37,7 @@ pub struct FillArgs {
     files: FilesArgs,
     #[command(flatten)]
     which: WhichArgs,
-    /// Drops components of the mesh of fewer triangles than this before anything is
-    /// filled or counted
+    /// First remove components of the mesh with fewer triangles than this
     #[arg(
         long,
         value_name = "N",
@@ -47,9 +46,9 @@ pub struct FillArgs {
         verbatim_doc_comment
     )]
     drop_components_below: usize,
-    /// Deletes faces, and what would hang loose then, and fills the holes that this
-    /// leaves, no others: those that a text file lists, one number per line, from 0, or
-    /// without a file, those that the flags of a region name
+    /// Delete faces, and what would hang loose without them, and fill only the holes that
+    /// this makes. The faces are listed in a text file, one number per line, from 0;
+    /// without a file, the region flags choose them
     #[arg(
         long,
         value_name = "FILE",
@@ -60,8 +59,8 @@ pub struct FillArgs {
     erase: Option<Option<PathBuf>>,
     #[command(flatten)]
     region: RegionSteps,
-    /// Drops up to so many faces more at the edge of what is erased: slender ones, with an
-    /// angle below 5 degrees, and fins, turned by more than 100 against one beside them
+    /// Also remove up to this many bad faces at the edge of what is erased: slender ones
+    /// (an angle below 5 degrees) and fins (more than 100 degrees against a neighbour)
     #[arg(
         long,
         value_name = "N",
@@ -70,8 +69,8 @@ pub struct FillArgs {
         verbatim_doc_comment
     )]
     clean_boundary: usize,
-    /// Takes away up to so many faces at the boundaries of holes before these are filled:
-    /// slender ones, spikes and fins, and those that hang at the others by one edge
+    /// Remove up to this many bad faces around holes before filling: slender ones, spikes,
+    /// fins, and faces attached by one edge only
     #[arg(
         long,
         value_name = "N",
@@ -80,16 +79,16 @@ pub struct FillArgs {
         verbatim_doc_comment
     )]
     trim: usize,
-    /// Takes no more area away than this, in the unit of the file squared
+    /// Limit of --trim by area, in squared units of the file
     #[arg(long, value_name = "A", requires = "trim", verbatim_doc_comment)]
     trim_area: Option<f64>,
-    /// New vertices and faces take colours, quality, texture coordinates and the like
-    /// from the nearest place of what was erased, not from the edge of the hole
+    /// Take colours, quality, texture coordinates and other attributes of new vertices and
+    /// faces from the nearest point of what was erased, not from the edge of the hole
     #[arg(long, requires = "erase", verbatim_doc_comment)]
     carry_over: bool,
-    /// The triangulation gets an edge between these two vertices of the boundary, of one
-    /// loop or of two that are joined, before it is refined: as across a long tear. May
-    /// be repeated, no vertex in two of them; the patch has no crease there
+    /// Connect these two boundary vertices by an edge of the first triangulation, for example
+    /// across a long tear, or between two joined loops. May be repeated, with each vertex
+    /// once; the patch has no crease there
     #[arg(long = "guide", value_name = "A,B", value_parser = join::parse_pair, verbatim_doc_comment)]
     guides: Vec<[u32; 2]>,
     #[command(flatten)]
@@ -100,7 +99,7 @@ pub struct FillArgs {
     pictures: PictureArgs,
     #[command(flatten)]
     patches: PatchArgs,
-    /// Lists in the report what was tried for each patch, and with what end
+    /// List in the report every attempt at each patch, and how it ended
     #[arg(short, long, conflicts_with = "quiet")]
     verbose: bool,
 }

@@ -130,7 +130,7 @@ pub struct GenerateArgs {
     /// What to make
     #[arg(value_enum)]
     kind: ShapeKind,
-    /// Where the mesh goes: .ply, .obj, .off or .stl, perhaps with .gz behind it; '-': to stdout
+    /// Output file: .ply, .obj, .off or .stl, optionally .gz; '-': stdout
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     #[command(flatten)]
@@ -142,7 +142,7 @@ pub struct GenerateArgs {
     /// How the vertices are distributed
     #[arg(long, value_enum, default_value_t = Triangulation::Regular)]
     triangulation: Triangulation,
-    /// Of everything random; the same seed gives the same bytes
+    /// Seed of everything random; the same seed gives the same bytes
     #[arg(long, default_value_t = 1, value_name = "S")]
     seed: u64,
     /// Where the free vertices are
@@ -164,23 +164,23 @@ pub struct GenerateArgs {
     /// tetra thing have none
     #[arg(long, default_value_t = OUTSIDE, value_name = "N", verbatim_doc_comment)]
     outside: usize,
-    /// Raises a bump of this height at a place, along the exact normals; a dent where
-    /// it is negative. May be repeated; --exact is without
+    /// Add a bump of this height at a place, along the exact normals; a dent if it is
+    /// negative. May be repeated; --exact is without
     #[arg(long, value_name = "X,Y,Z,RADIUS,HEIGHT", value_parser = spoiling::<5>, allow_hyphen_values = true, verbatim_doc_comment)]
     raise: Vec<[f64; 5]>,
-    /// Cuts out the triangles that lie in a ball with all corners; may be repeated
+    /// Cut out the triangles that lie entirely in a ball; may be repeated
     #[arg(long, value_name = "X,Y,Z,RADIUS", value_parser = spoiling::<4>, allow_hyphen_values = true)]
     cut: Vec<[f64; 4]>,
-    /// Writes the free vertices, one number per line, for 'fair --free'
+    /// Also write the free vertices, one number per line, for 'fair --free'
     #[arg(long, value_name = "FILE")]
     free: Option<PathBuf>,
-    /// Writes the exact boundary normals, for 'fair --normals'
+    /// Also write the exact boundary normals, for 'fair --normals'
     #[arg(long, value_name = "FILE")]
     normals: Option<PathBuf>,
-    /// No summary; errors are still told
+    /// No summary; errors are still printed
     #[arg(short, long)]
     quiet: bool,
-    /// Writes the same mesh with all vertices on the exact surface
+    /// Also write the same mesh with all vertices on the exact surface
     #[arg(long, value_name = "FILE")]
     exact: Option<PathBuf>,
 }

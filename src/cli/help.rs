@@ -37,25 +37,24 @@ written, but not the report about it. Of several files, the worst in the order 4
 
 /// Before the flags of `fair --help`.
 pub const FAIR_ABOUT: &str = "\
-Fairs a region of a mesh file: the free vertices move until the surface is curved as evenly as it can be,
-meets the fixed vertices and has the tangent planes of its surroundings there.
+Fairs a region of a mesh file: moves its free vertices until the surface is as evenly curved as possible, and joins the
+fixed surroundings with the same tangent planes.
 
-Say which vertices may move by places and shapes (--ball to --bump; 'fairmesh select' shows what they take), or by --free,
+Choose the vertices that may move by place and shape (--ball to --bump; 'fairmesh select' previews them), or by --free,
 --faces or --selection. Without any of these, the selection that MeshLab stores in a PLY file (property 'flags') is used,
 selected faces first. A vertex moves if all faces around it are selected.
 
-Input and output are PLY (ASCII or binary), OBJ, OFF (ASCII) or STL (ASCII or binary), told by their
-names. A file without a face is refused. If both have the same format, the output is the input with only the coordinates of the free
-vertices replaced, and the normals that the file has for these vertices and their neighbours. Colours,
-texture coordinates, materials, groups, comments, unknown elements and all other vertices stay as they
-are, byte for byte. If the formats differ, the output holds the vertices and faces and nothing else.
-Polygons are split into triangles for the computation only. STL has no vertices: corners with equal
-coordinates are taken as one, and vertices are numbered in the order of their first appearance.
+Input and output are PLY (ASCII or binary), OBJ, OFF (ASCII) or STL (ASCII or binary), by their file names.
+A file without faces is refused. If both have the same format, only the coordinates of the free vertices change, and
+the normals that the file has for these vertices and their neighbours. Colours, texture coordinates, materials, groups,
+comments, unknown elements and all other vertices stay as they are, byte for byte. If the formats differ, the output has only
+vertices and faces. Polygons are split into triangles for the computation only. STL has no vertices: corners with equal
+coordinates count as one, and vertices are numbered in the order of their first appearance.
 
-'-' is stdin as input and stdout as output; --format says its format, and the report goes to stderr then. Files that
+'-' is stdin as input and stdout as output, in the format of --format; the report then goes to stderr. Files that
 end in .gz are unpacked and packed.
 
-All numbers of vertices and faces are counted from 0, in messages and in the files given, for OBJ too.";
+Vertices and faces are counted from 0, in messages and in lists, for OBJ too.";
 
 /// After the flags of `fair -h`.
 pub const FAIR_SHORT: &str = concat!(examples!(), exit_codes!());
@@ -94,7 +93,7 @@ Examples:
   fairmesh select scan.stl --bump 12.5,3,40 --grow 2 -o faces.txt
   fairmesh select part.obj --patch-at 0,0,5 --without --box -1,-1,4,1,1,6 -o patch.obj
 
-The same flags say to 'fairmesh fair' what may move, and to 'fairmesh fill --erase' what is made anew.
+The same flags choose what 'fairmesh fair' moves, and what 'fairmesh fill --erase' replaces.
 
 Exit codes: 0 selected; 2 wrong usage or input, or a selection without a face, nothing written; 4 memory ran out, nothing
 written; 5 selected, but the report about it cannot be written.";
@@ -123,23 +122,24 @@ Exit codes: 0 printed; 2 wrong usage; 5 the script cannot be written.";
 
 /// After the flags of `fill`.
 pub const FILL: &str = "\
-The new vertices and faces come behind the file's own, which stay as they are, byte for byte, in PLY and OBJ; OFF, STL and
-other formats than the input's are written anew. In PLY, new vertices get normals and interpolated colours, quality and
-texture coordinates (u, v, s, t); all other properties of new vertices and faces are 0 or empty lists.
+New vertices and faces are appended. In PLY and OBJ everything else stays as it is, byte for byte; OFF, STL and formats other
+than the input's are written anew. In PLY, new vertices get normals and interpolated colours, quality and texture
+coordinates (u, v, s, t); all other properties of new vertices and faces are 0 or empty lists.
 
-With --erase and --drop-components-below the rest of a PLY or OBJ file stays, too, but for the numbers of vertices in faces.
+--erase and --drop-components-below also keep the rest of a PLY or OBJ file, except for the vertex numbers of faces.
 
-Loops that enclose the mesh instead of a gap (the outer boundary of an open sheet) stay open unless named by --loop.
+A boundary that encloses the mesh and not a gap (the outer boundary of an open sheet) stays open unless --loop names it. If there
+are no other boundaries, nothing is filled, and the exit code is 3.
 
-Exit codes: 0 all holes asked for are filled and fair; 2 wrong usage or input, nothing written; 3 written, but some
-hole is left open or its surface is not fair: the report says which and why; 4 memory or threads ran out, nothing written;
+Exit codes: 0 all holes asked for are filled and fair; 2 wrong usage or input, nothing written; 3 written, but a
+hole is left open or not fair, or there was none: the report says which and why ('success' in the JSON, of each loop and of all); 4 memory or threads ran out, nothing written;
 5 written, but not the report about it. Of several files, the worst in the order 4, 2, 5, 3.";
 
 /// After the flags of `bridge`.
 pub const BRIDGE: &str = "\
-The new vertices and faces come behind the file's own, as 'fairmesh fill' has them. Vertices are counted from 0, for OBJ too;
+New vertices and faces are appended, as by 'fairmesh fill'. Vertices are counted from 0, for OBJ too;
 'fairmesh holes --json' lists those of every boundary.
 
-Exit codes: 0 the bridge is fair, and with --fill the holes beside it are, too; 2 wrong usage or input, or a bridge that cannot
+Exit codes: 0 the bridge is fair, and with --fill also the holes beside it; 2 wrong usage or input, or a bridge that cannot
 be made, nothing written; 3 written, but not fair: the report says why; 4 memory or threads ran out, nothing written;
 5 written, but not the report about it.";

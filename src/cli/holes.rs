@@ -25,19 +25,19 @@ const DEBRIS: usize = 3;
 /// What `fairmesh holes` is asked.
 #[derive(Debug, Args)]
 pub struct HolesArgs {
-    /// The mesh: .ply, .obj, .off or .stl, perhaps with .gz behind it; '-': from stdin
+    /// Mesh file: .ply, .obj, .off or .stl, optionally .gz; '-': stdin
     input: PathBuf,
-    /// Which loops 'fairmesh fill --join auto' would give one patch, and why
+    /// List the loops that 'fairmesh fill --join auto' would connect, and why
     #[arg(long)]
     suggest: bool,
     #[command(flatten)]
     mesh: MeshArgs,
     #[command(flatten)]
     pipe: PipeArgs,
-    /// Writes the list as JSON, too; '-': to stdout, instead of the readable one
+    /// Also write the list as JSON; '-': to stdout, instead of the text
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// No list, where JSON is enough; errors are still told
+    /// Print no list; errors are still printed
     #[arg(short, long)]
     quiet: bool,
 }

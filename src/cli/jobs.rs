@@ -13,13 +13,13 @@ use crate::formats::pipes::is_piped;
 /// The files of `fair` and `fill`.
 #[derive(Debug, Args)]
 pub struct FilesArgs {
-    /// The mesh: .ply, .obj, .off or .stl, perhaps with .gz behind it; '-': from stdin. Several
-    /// are done one after the other, and a table at the end says what became of each
+    /// Mesh file: .ply, .obj, .off or .stl, optionally .gz; '-': stdin. Several files are
+    /// processed one after the other, with a table of the outcomes at the end
     #[arg(required = true, value_name = "INPUT", verbatim_doc_comment)]
     inputs: Vec<PathBuf>,
-    /// Where the result goes; may be the input itself, or '-': to stdout. A file is written whole
-    /// or not at all. A directory, or a name ending in /, which is made: results have the
-    /// names of their inputs there
+    /// Output file; may be the input; '-': stdout. Written completely or not at all. In a
+    /// directory, or a name ending in / (which is created), results keep the names of
+    /// their inputs
     #[arg(
         short,
         long,
@@ -28,7 +28,7 @@ pub struct FilesArgs {
         verbatim_doc_comment
     )]
     output: Option<PathBuf>,
-    /// Every result takes the place of its input
+    /// Replace each input by its result
     #[arg(long, conflicts_with = "output")]
     in_place: bool,
     #[command(flatten)]

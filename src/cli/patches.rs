@@ -16,33 +16,33 @@ use crate::surface::{IntersectionArgs, MeshArgs};
 /// How patches are made and told.
 #[derive(Debug, Args)]
 pub struct PatchArgs {
-    /// How dense the new vertices are: at 1.414 edges are as long as those
-    /// beside the boundary, at twice that half as long
+    /// Density of new vertices: at 1.414 edges are as long as those beside
+    /// the boundary, at twice that half as long
     #[arg(long, value_name = "X", verbatim_doc_comment)]
     density: Option<f64>,
-    /// At most this many new vertices; patches become coarser inside
+    /// Most new vertices; beyond that, patches are coarser inside
     /// [default: 200000]
     #[arg(long, value_name = "N", verbatim_doc_comment)]
     max_new_vertices: Option<usize>,
-    /// Triangulates and refines, but does not fair
+    /// Triangulate and refine only, without fairing
     #[arg(long)]
     no_fair: bool,
     /// Stop when the vertices move less than this part of the patch's
     /// diagonal, between 0 and 1 [default: 1e-8]
     #[arg(long, value_name = "X", verbatim_doc_comment)]
     tolerance: Option<f64>,
-    /// Worker threads, 0: as many as the machine has;
-    /// the result is the same to the last bit
+    /// Worker threads; 0: one per processor.
+    /// The result does not depend on it
     #[arg(long, value_name = "N", default_value_t = 0, verbatim_doc_comment)]
     threads: usize,
     #[command(flatten)]
     pub mesh: MeshArgs,
     #[command(flatten)]
     intersections: IntersectionArgs,
-    /// Writes the report as JSON, too; '-': to stdout, instead of the readable one
+    /// Also write the report as JSON; '-': to stdout, instead of the text
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// No progress bar and no report; errors are still told
+    /// No progress bar, no report; errors are still printed
     #[arg(short, long)]
     pub quiet: bool,
 }

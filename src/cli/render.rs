@@ -44,17 +44,16 @@ enum Shade {
 /// What `fairmesh render` is asked.
 #[derive(Debug, Args)]
 pub struct RenderArgs {
-    /// Meshes, side by side: .ply, .obj, .off or .stl, perhaps with .gz behind it; '-': from stdin
+    /// Meshes, shown side by side: .ply, .obj, .off or .stl, optionally .gz; '-': stdin
     #[arg(required = true)]
     inputs: Vec<PathBuf>,
     #[command(flatten)]
     pipe: PipeArgs,
-    /// Where the picture goes: a .png file, with --turntable .gif or .png; '-': to
-    /// stdout, as PNG
+    /// Output: a .png file, with --turntable .gif or .png; '-': PNG to stdout
     #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
     output: PathBuf,
-    /// From where: x,y,z (from the surface to the eye), front, back, left, right,
-    /// top, bottom or corner
+    /// View: a direction x,y,z from the surface to the eye, or front, back, left,
+    /// right, top, bottom or corner
     #[arg(
         long,
         value_name = "VIEW",
@@ -63,7 +62,7 @@ pub struct RenderArgs {
         verbatim_doc_comment
     )]
     view: String,
-    /// What points up in the picture: x,y,z
+    /// Up direction of the picture: x,y,z
     #[arg(
         long,
         value_name = "X,Y,Z",
@@ -71,12 +70,12 @@ pub struct RenderArgs {
         allow_hyphen_values = true
     )]
     up: String,
-    /// How: flat, reflection, curvature, colors, texture or distance; several, separated
-    /// by commas, give a row each. 'distance' paints every mesh after the first by its distance from the
-    /// first one and prints the distances, both ways: of vertices and over whole triangles,
-    /// always from a point to the nearest one of the other surface, without sign. The
-    /// largest is right to 1 %; mean and rms are over the area, at one point of every
-    /// triangle or more, so many as squares of a 200th of the diagonal have room in it
+    /// flat, reflection, curvature, colors, texture or distance; several, separated by
+    /// commas, make a row each. 'distance' colours each mesh after the first by its
+    /// distance from the first and prints the unsigned distances both ways, at the
+    /// vertices and over whole triangles. The largest is within 1 %; mean and rms are
+    /// over the area, with at least one sample per triangle and about one per square of
+    /// side diagonal/200
     #[arg(
         long,
         value_enum,
@@ -88,24 +87,24 @@ pub struct RenderArgs {
     /// Width and height of each picture, in pixels
     #[arg(long, value_name = "WxH", default_value = "480x480")]
     size: String,
-    /// Ends of the scale. By default, of curvature, those that the middle 98 per cent of
-    /// the area have, without outliers, the same on both sides of 0 unless all are far from
-    /// that; of distance, 0 and the largest
+    /// Ends of the colour scale. By default, for curvature, the range of the middle 98 per
+    /// cent of the area, symmetric about 0 if it is near; for distance, from 0 to the
+    /// largest
     #[arg(long, value_name = "LO,HI", allow_hyphen_values = true, verbatim_doc_comment)]
     range: Option<String>,
     /// Text below each picture, once per mesh; the file names by default, '' for none
     #[arg(long, value_name = "TEXT")]
     caption: Vec<String>,
-    /// An animation of so many frames, in which the meshes turn once around what points up,
-    /// from 2 to 360: GIF or animated PNG, by the output's name
+    /// Animation of this many frames (2 to 360) in which the meshes turn once about the up
+    /// direction: GIF or animated PNG, by the output's name
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=360), verbatim_doc_comment)]
     turntable: Option<u16>,
-    /// Vertices that have to be in the picture: a text file with one number per
-    /// line, from 0; for all meshes. By default all vertices
+    /// Frame the picture around these vertices of each mesh: a text file with one number
+    /// per line, from 0 [default: all vertices]
     #[arg(long, value_name = "FILE", verbatim_doc_comment)]
     around: Option<PathBuf>,
-    /// Writes what --shade distance measures as JSON, too; '-': to stdout, instead of the
-    /// readable table
+    /// Also write the distances of --shade distance as JSON; '-': to stdout, instead of the
+    /// table
     #[arg(long, value_name = "FILE", verbatim_doc_comment)]
     json: Option<PathBuf>,
 }

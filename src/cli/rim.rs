@@ -8,11 +8,11 @@ use serde_json::{Value, json};
 #[derive(Debug, Clone, Copy, Args)]
 #[command(next_help_heading = "Rough rims")]
 pub struct RimArgs {
-    /// Lets K rings of vertices around each hole, its own counted, move onto the
-    /// surface that the mesh has there on average; 3 is a good number
+    /// Smooth noisy rims first: move K rings of vertices around each hole onto the
+    /// average surface there, the rim itself counted; 3 is a good value
     #[arg(long, value_name = "K", default_value_t = 0, verbatim_doc_comment)]
     relax_rim: usize,
-    /// No vertex moves further than this [default: the mean edge length there]
+    /// Limit of --relax-rim for each vertex [default: the mean edge length there]
     #[arg(long, value_name = "D", requires = "relax_rim")]
     relax_within: Option<f64>,
 }

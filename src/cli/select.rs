@@ -24,25 +24,25 @@ use crate::surface::MeshArgs;
 /// What `fairmesh select` is asked.
 #[derive(Debug, Args)]
 pub struct SelectArgs {
-    /// The mesh: .ply, .obj, .off or .stl, perhaps with .gz behind it; '-': from stdin
+    /// Mesh file: .ply, .obj, .off or .stl, optionally .gz; '-': stdin
     input: PathBuf,
-    /// Where the faces go: as a list of their numbers for --faces (.txt), or as a mesh of
-    /// their own (.ply, .obj, .off or .stl, perhaps with .gz behind it; '-': to stdout)
+    /// Output: a list of face numbers for --faces (.txt), or a mesh of these faces alone
+    /// (.ply, .obj, .off or .stl, optionally .gz; '-': stdout)
     #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
     output: Option<PathBuf>,
     #[command(flatten)]
     pipes: PipesArgs,
-    /// A picture (.png) with the faces in another colour
+    /// Picture (.png) that shows the selected faces in another colour
     #[arg(long, value_name = "FILE")]
     picture: Option<PathBuf>,
-    /// From where the picture is taken, as of 'fairmesh render' [default: from above the
+    /// View of the picture, as in 'fairmesh render' [default: from above the
     /// faces]
     #[arg(long, value_name = "VIEW", allow_hyphen_values = true, verbatim_doc_comment)]
     view: Option<String>,
-    /// Writes what was found as JSON, too; '-': to stdout, instead of the readable list
+    /// Also write the result as JSON; '-': to stdout, instead of the text
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// No report; errors are still told
+    /// No report; errors are still printed
     #[arg(short, long)]
     quiet: bool,
     #[command(flatten)]

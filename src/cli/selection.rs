@@ -28,14 +28,14 @@ pub struct RegionArgs {
 #[command(next_help_heading = "Region")]
 #[group(multiple = false)]
 struct ListArgs {
-    /// Vertices that may move: a text file with one number per line, from 0
+    /// Vertices that may move: a text file, one number per line, from 0
     #[arg(long, value_name = "FILE")]
     free: Option<PathBuf>,
-    /// Faces to be faired: a text file with one number per line, from 0;
+    /// Faces to fair: a text file, one number per line, from 0;
     /// a vertex moves if all faces around it are listed
     #[arg(long, value_name = "FILE", verbatim_doc_comment)]
     faces: Option<PathBuf>,
-    /// Property of a PLY file that is nonzero on what is selected:
+    /// PLY property that is nonzero where selected:
     /// NAME, vertex:NAME or face:NAME
     #[arg(long, value_name = "NAME", verbatim_doc_comment)]
     selection: Option<String>,

@@ -17,7 +17,7 @@ enum InnerFairnessKind {
 /// Normals of fixed vertices inside the region.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum InteriorNormalsKind {
-    /// The surface passes them smoothly
+    /// The surface passes through them smoothly
     Smooth,
     /// From their triangles in the input
     Input,
@@ -44,7 +44,7 @@ enum IntersectionsKind {
 /// The flag of the check for self-intersections.
 #[derive(Debug, Args)]
 pub struct IntersectionArgs {
-    /// Whether the result is checked for triangles that intersect each other or the rest of the mesh
+    /// Check the result for triangles that intersect each other or the rest of the mesh
     #[arg(long, value_enum, value_name = "WHETHER", default_value = "check")]
     intersections: IntersectionsKind,
 }
@@ -68,9 +68,9 @@ pub struct SurfaceArgs {
     /// How vertices are distributed within the surface
     #[arg(long, value_enum, value_name = "HOW", default_value = "uniform")]
     inner_fairness: InnerFairnessKind,
-    /// What the Laplacian of the mean curvature H shall be: 'harmonic' (0),
-    /// 'constant=C' (C per cubic length, positive: pushes outward) or
-    /// 'minimal-energy' (-2 H (H^2 - K))
+    /// The equation: the Laplacian of the mean curvature H is 0 ('harmonic'),
+    /// C per cubic length, which pushes outward if positive ('constant=C'),
+    /// or -2 H (H^2 - K) ('minimal-energy')
     #[arg(
         long,
         value_name = "WHAT",
@@ -111,9 +111,9 @@ impl SurfaceArgs {
 /// Flags of the mesh.
 #[derive(Debug, Args)]
 pub struct MeshArgs {
-    /// Whether vertices at the same place are one vertex of the surface: 'join'
-    /// where their coordinates are equal, a distance in the unit of the file
-    /// that they may be apart, or 'separate'
+    /// Which vertices count as one vertex of the surface: 'join', those with equal
+    /// coordinates; a distance (in the file's unit), also those as near as that;
+    /// 'separate', none
     #[arg(
         long,
         value_name = "WHICH",

@@ -10,11 +10,11 @@ use crate::join::{self, JoinArg};
 /// What becomes of a loop for which no fair patch is found.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum OnFailureKind {
-    /// The best surface there is, which the report names
+    /// The best surface found; the report says which
     Linear,
     /// The triangulation, refined
     Flat,
-    /// Nothing
+    /// Leave it open
     Open,
 }
 
@@ -23,41 +23,40 @@ enum OnFailureKind {
 #[command(next_help_heading = "Which holes", group = ArgGroup::new("which").multiple(true).conflicts_with("loops"))]
 pub struct WhichArgs {
     /// Only this loop, by its number in 'fairmesh holes'; may be repeated.
-    /// Outer boundaries are filled only if they are named so
+    /// The only way to fill an outer boundary
     #[arg(long = "loop", value_name = "I", verbatim_doc_comment)]
     pub loops: Vec<usize>,
-    /// These loops get one patch together, as in 0,1,2: an island and its hole, the
-    /// ends of tubes, the sides of a gap; may be repeated. No others are filled
-    /// then, unless other flags ask for them. 'auto': those whose joint patch bends
-    /// less than separate ones; 'fairmesh holes --suggest' says which
+    /// Connect these loops by one patch, as in 0,1,2: an island and its hole, the ends
+    /// of tubes, the sides of a gap; may be repeated. Other loops stay open unless
+    /// other flags choose them. 'auto': join loops whose common patch bends less than
+    /// separate ones ('fairmesh holes --suggest' lists them)
     #[arg(long, value_name = "LOOPS", value_parser = join::parse, verbatim_doc_comment)]
     join: Vec<JoinArg>,
     /// Only holes of at most this many edges [default: all]
     #[arg(long, value_name = "N", group = "which")]
     max_edges: Option<usize>,
-    /// Only holes not longer than this, or than so much of the mesh's diagonal, as 20%
+    /// Only holes of at most this length, or this part of the mesh's diagonal, as 20%
     #[arg(long, value_name = "X", group = "which", value_parser = length)]
     max_length: Option<Length>,
-    /// Only holes of no more than this area
+    /// Only holes of at most this area
     #[arg(long, value_name = "X", group = "which")]
     max_area: Option<f64>,
-    /// Only holes with a bounding box of no more than this diagonal, or than so much of
-    /// the mesh's own, as 5%
+    /// Only holes whose bounding box has at most this diagonal, or this part of the mesh's
+    /// diagonal, as 5%
     #[arg(long, value_name = "X", group = "which", value_parser = length, verbatim_doc_comment)]
     max_diagonal: Option<Length>,
-    /// All holes but so many, the longest
+    /// All holes except the K longest
     #[arg(long, value_name = "K", group = "which")]
     except_longest: Option<usize>,
     /// Only holes in this component of the mesh, by its number in 'fairmesh holes';
     /// may be repeated
     #[arg(long, value_name = "I", group = "which", verbatim_doc_comment)]
     component: Vec<usize>,
-    /// Only holes that lie in this ball, as X,Y,Z,RADIUS, or in this box, as
-    /// X,Y,Z,X,Y,Z (its smallest and its largest coordinates)
+    /// Only holes inside a ball, X,Y,Z,RADIUS, or a box, X,Y,Z,X,Y,Z
+    /// (smallest, then largest coordinates)
     #[arg(long, value_name = "PLACE", group = "which", value_parser = place, allow_hyphen_values = true, verbatim_doc_comment)]
     within: Option<Place>,
-    /// What becomes of a hole for which no fair patch is found, or none that does not
-    /// intersect
+    /// What to do with a hole for which no fair patch without intersections is found
     #[arg(
         long,
         value_enum,

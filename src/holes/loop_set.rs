@@ -27,6 +27,12 @@ pub(super) struct LoopSet {
     pub(super) guides: Vec<[u32; 2]>,
 }
 
+/// See [`LoopSet::plane`].
+pub(super) struct LoopPlane {
+    pub(super) centre: Vector3<f64>,
+    pub(super) normal: Vector3<f64>,
+}
+
 impl LoopSet {
     /// These loops, where they lie in the mesh.
     pub(super) fn new(links: &Links<'_>, positions: &[[f64; 3]], loops: &[&BoundaryLoop]) -> Self {
@@ -58,6 +64,17 @@ impl LoopSet {
         Self {
             guides: Vec::new(),
             ..self.clone()
+        }
+    }
+
+    /// The plane that a loop is near to: its centre, and the direction of its vector area.
+    pub(super) fn plane(&self, of: usize) -> LoopPlane {
+        let centre = self.x[self.range(of)].iter().sum::<Vector3<f64>>() / self.range(of).len() as f64;
+        let area = |v: usize| (self.x[v] - centre).cross(&(self.x[self.after(v)] - centre));
+        let area: Vector3<f64> = self.range(of).map(area).sum();
+        LoopPlane {
+            centre,
+            normal: area.try_normalize(0.0).unwrap_or_default(),
         }
     }
 

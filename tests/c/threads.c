@@ -3,7 +3,9 @@
 #include "common.h"
 #include <dirent.h>
 #include <pthread.h>
+#include <sys/wait.h>
 #include <time.h>
+#include <unistd.h>
 
 #define THREADS 4
 #define ROUNDS 30
@@ -142,6 +144,30 @@ static void none_is_left(int before) {
     CHECK(settled() == before);
 }
 
+/* A forked process has a solver's memory, and not its threads: a call would wait for them for ever. */
+static void a_forked_process_has_no_solvers(fairmesh_solver *solver) {
+    int status = 0;
+    pid_t child = fork();
+    CHECK(child >= 0);
+    if (child == 0) {
+        double *out = (double *)must(malloc(24 * cap.vertices));
+        fairmesh_points_out to = points_out_of(out, cap.vertices);
+        fairmesh_options options = options_of(2);
+        alarm(20);
+        (void)options;
+        CHECK(fairmesh_solver_run(solver, 3, NULL, NULL) == FAIRMESH_STATUS_BAD_HANDLE);
+        CHECK(fairmesh_solver_free(solver) == FAIRMESH_STATUS_BAD_HANDLE);
+        OK(fairmesh_result_positions(common, &to, NULL));
+#ifndef __SANITIZE_THREAD__ /* which allows no threads there */
+        OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &to, NULL, NULL, NULL));
+#endif
+        CHECK(memcmp(out, expected, 24 * cap.vertices) == 0);
+        _exit(0);
+    }
+    CHECK(waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    OK(fairmesh_solver_run(solver, 1, NULL, NULL));
+}
+
 int main(void) {
     fairmesh_options options = options_of(1);
     fairmesh_points_out to;
@@ -163,6 +189,7 @@ int main(void) {
     for (k = 0; k < THREADS; k++) good += counts[k][0], busy += counts[k][1];
     printf("threads: %u calls on one handle good, %u busy\n", (unsigned)good, (unsigned)busy);
     CHECK(good > 0 && busy > 0);
+    a_forked_process_has_no_solvers(shared);
     OK(fairmesh_solver_free(shared));
     options.progress = inside;
     options.user_data = &in;

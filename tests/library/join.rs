@@ -9,7 +9,7 @@ use fairmesh::{
     Options, Outcome, Selection, boundary_loops, fair, fill_holes, suggest_joins,
 };
 use fairmesh_shapes::{
-    Sampling, Shape, cylinder_band, cylinder_blend_fine, in_parts, plate, sphere_in_pieces,
+    Sampling, Shape, cylinder_band, cylinder_blend_fine, in_parts, plate, sphere_in_pieces, sphere_with_hole,
     sphere_without_band, tubes,
 };
 
@@ -443,6 +443,36 @@ fn parts_that_face_opposite_ways_are_refused_by_name() {
     assert_eq!(group.len(), 3);
     let outcome = &join(&shape, group).loops[0].outcome;
     assert_matches!(outcome, FillOutcome::LeftOpen(OpenReason::OppositeSides { .. }));
+}
+
+/// Two unit spheres that face outwards, and whose holes of 40 degrees face each other, with centres at this distance.
+fn facing_spheres(distance: f64) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let one = sphere_with_hole(40.0, 600, irregular(1), 0);
+    let count = one.positions.len() as u32;
+    let other = one.positions.iter().map(|&[x, y, z]| [x, y, -z - distance]);
+    let turned = one
+        .triangles
+        .iter()
+        .map(|&[a, b, c]| [a, c, b].map(|v| v + count));
+    (
+        one.positions.iter().copied().chain(other).collect(),
+        one.triangles.iter().copied().chain(turned).collect(),
+    )
+}
+
+/// At a distance of 3 the energy of the triangulation between them was less with one of them turned around.
+#[test]
+fn spheres_that_face_each_other_are_not_refused_at_any_distance() {
+    for distance in [2.2, 2.5, 3.0, 4.0, 8.0] {
+        let (x, t) = facing_spheres(distance);
+        let options = FillOptions {
+            join: Join::Groups(vec![vec![0, 1]]),
+            ..FillOptions::default()
+        };
+        let outcome = &fill_holes(&x, &t, &options).unwrap().loops[0].outcome;
+        let is_refused = matches!(outcome, FillOutcome::LeftOpen(OpenReason::OppositeSides { .. }));
+        assert!(!is_refused, "distance {distance}");
+    }
 }
 
 #[test]

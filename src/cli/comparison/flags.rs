@@ -23,9 +23,9 @@ use crate::render;
 /// Flags of commands that change a mesh.
 #[derive(Debug, Args)]
 pub struct PictureArgs {
-    /// A picture (.png) of before and after: what has changed, flat and with
-    /// reflection lines, how far it moved, and where it is. Of several meshes one
-    /// each: name a directory, or a name ending in /, which is made
+    /// Picture (.png) of before and after: the changed part, flat shaded and with
+    /// reflection lines, how far it moved, and where it is. For several meshes,
+    /// give a directory, or a name ending in / (which is created)
     #[arg(
         long,
         value_name = "FILE",
@@ -33,9 +33,9 @@ pub struct PictureArgs {
         verbatim_doc_comment
     )]
     picture: Option<PathBuf>,
-    /// A page (.html) about what was asked and done: outcome, advice, pictures of before
-    /// and after, how far the surface moved, how its curvature is spread; one file
-    /// that needs no others. Of several meshes as --picture
+    /// Page (.html) about the run: outcome, advice, pictures of before and after, how
+    /// far the surface moved, how its curvature is distributed; one self-contained
+    /// file. For several meshes as --picture
     #[arg(
         long,
         value_name = "FILE",
@@ -43,8 +43,8 @@ pub struct PictureArgs {
         verbatim_doc_comment
     )]
     report: Option<PathBuf>,
-    /// From where the pictures are taken, as of 'fairmesh render' [default: from
-    /// above what has changed]
+    /// View of the pictures, as in 'fairmesh render' [default: from above what
+    /// has changed]
     #[arg(
         long,
         value_name = "VIEW",
@@ -53,7 +53,7 @@ pub struct PictureArgs {
         verbatim_doc_comment
     )]
     view: Option<String>,
-    /// What points up in the pictures: x,y,z [default: 0,0,1]
+    /// Up direction of the pictures: x,y,z [default: 0,0,1]
     #[arg(
         long,
         value_name = "X,Y,Z",

@@ -11,7 +11,7 @@ use crate::failure::Failure;
 /// The flag of commands that either read meshes or write them.
 #[derive(Debug, Args)]
 pub struct PipeArgs {
-    /// The format of the mesh that is piped, whose name is '-'
+    /// Format of the mesh that is read from stdin or written to stdout ('-')
     #[arg(long, value_enum, value_name = "FORMAT")]
     format: Option<Format>,
 }
@@ -31,10 +31,10 @@ impl PipeArgs {
 /// The flags of commands that read a mesh and write one.
 #[derive(Debug, Args)]
 pub struct PipesArgs {
-    /// The format of meshes that are piped, whose name is '-': stdin as input, stdout as output
+    /// Format of meshes read from stdin and written to stdout ('-')
     #[arg(long, value_enum, value_name = "FORMAT")]
     format: Option<Format>,
-    /// The format of stdin, if it is another than that of stdout
+    /// Format of stdin, if it differs from --format
     #[arg(long, value_enum, value_name = "FORMAT")]
     input_format: Option<Format>,
 }

@@ -201,7 +201,8 @@ class Filled(NewMesh[M]):
     @property
     def is_success(self) -> bool:
         """Whether there is nothing to be said of the result: all loops are successes, and not all of them were passed
-        over as outer boundaries. Where it is not, the command line ends with exit code 3."""
+        over as outer boundaries. Where it is not, the command line ends with exit code 3.
+        """
         return bool(self._handle.info().is_success)
 
     @property
