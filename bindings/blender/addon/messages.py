@@ -177,7 +177,6 @@ def _moved(closed, size):
     return f"; {count} vertices around moved, by {largest:.3g} at most"
 
 
-
 def _reason(loop):
     if loop.moved is not None and loop.moved.unsound:
         return f"{loop.moved.unsound} old faces beside it are folded or intersect since the rim moved: change Smooth Rim"
