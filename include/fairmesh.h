@@ -676,6 +676,10 @@ enum fairmesh_loose_reason
      * No sound surface over this hole has the normals of the mesh: they were drawn towards those of a membrane.
      */
     FAIRMESH_LOOSE_REASON_DRAWN_NORMALS = 6,
+    /**
+     * Less than half of the curvature asked for was continued: the surroundings are too rough, or no sound surface has it.
+     */
+    FAIRMESH_LOOSE_REASON_CURVATURE = 7,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -2346,6 +2350,10 @@ typedef struct fairmesh_continuity {
      * The vertices of the loop.
      */
     uint64_t vertex_count;
+    /**
+     * How much of the way to the curvature of the surroundings was asked for.
+     */
+    double asked;
     /**
      * How much of the way from the tangent-continuous surface's mean curvature to that of the surroundings was taken, in the mean
      * along the loop: from 0 to `continuity` of the options.

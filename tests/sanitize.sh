@@ -28,7 +28,8 @@ thread() {
         --crate-type staticlib --target "$host" --target-dir target/tsan
     local out=target/tsan runtime
     runtime=$(ls "$(rustc --print sysroot)/lib/rustlib/$host/lib/"librustc-*_rt.tsan.a)
-    cc $strict -c tests/c/threads.c -o $out/threads.o
+    # As compilers define it that instrument C, too.
+    cc $strict -D__SANITIZE_THREAD__ -c tests/c/threads.c -o $out/threads.o
     cc $out/threads.o $out/$host/release/libfairmesh.a -Wl,--whole-archive "$runtime" -Wl,--no-whole-archive \
         -lstdc++ $libs -o $out/threads
     TSAN_OPTIONS=halt_on_error=1 $out/threads

@@ -137,6 +137,8 @@ pub enum fairmesh_loose_reason {
     Tolerance = 5,
     /// No sound surface over this hole has the normals of the mesh: they were drawn towards those of a membrane.
     DrawnNormals = 6,
+    /// Less than half of the curvature asked for was continued: the surroundings are too rough, or no sound surface has it.
+    Curvature = 7,
 }
 
 /// How an attempt at a surface ended. Numbers are never reused.

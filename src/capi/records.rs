@@ -178,6 +178,8 @@ pub struct fairmesh_continuity {
     pub vertex: u64,
     /// The vertices of the loop.
     pub vertex_count: u64,
+    /// How much of the way to the curvature of the surroundings was asked for.
+    pub asked: f64,
     /// How much of the way from the tangent-continuous surface's mean curvature to that of the surroundings was taken, in the mean
     /// along the loop: from 0 to `continuity` of the options.
     pub reached: f64,

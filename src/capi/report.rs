@@ -103,6 +103,7 @@ pub(crate) fn continuity(of: &CurvatureContinuity) -> fairmesh_continuity {
         reserved: 0,
         vertex: of.vertex as u64,
         vertex_count: of.vertices as u64,
+        asked: of.asked,
         reached: of.reached,
         jump_before: of.jump_before,
         largest_jump_before: of.largest_jump_before,

@@ -107,11 +107,12 @@ pub fn lines(components: &[ComponentReport]) -> Vec<String> {
 }
 
 fn line(of: &CurvatureContinuity) -> String {
-    let [reached, before, after] = [of.reached, of.jump_before, of.jump].map(significant);
+    let [asked, reached] = [of.asked, of.reached].map(significant);
+    let [before, after] = [of.jump_before, of.jump].map(significant);
     let [largest_before, largest] = [of.largest_jump_before, of.largest_jump].map(significant);
     let [curvature, uncertainty] = [of.curvature, of.uncertainty].map(significant);
     format!(
-        "loop of vertex {} and {} more: {reached} reached, jump of H {before} -> {after} \
+        "loop of vertex {} and {} more: {reached} of {asked} reached, jump of H {before} -> {after} \
          (largest {largest_before} -> {largest}), |H| outside {curvature} +- {uncertainty}",
         of.vertex,
         of.vertices - 1,
@@ -124,6 +125,7 @@ pub fn json<'a>(loops: impl IntoIterator<Item = &'a CurvatureContinuity>) -> Val
         json!({
             "vertex": of.vertex,
             "vertices": of.vertices,
+            "asked": of.asked,
             "reached": of.reached,
             "jump_before": of.jump_before,
             "largest_jump_before": of.largest_jump_before,
@@ -165,6 +167,7 @@ mod tests {
         let of = CurvatureContinuity {
             vertex: 12,
             vertices: 40,
+            asked: 1.0,
             reached: 0.9,
             jump_before: 0.15,
             largest_jump_before: 0.25,
@@ -175,7 +178,7 @@ mod tests {
         };
         assert_eq!(
             line(&of),
-            "loop of vertex 12 and 39 more: 0.9000 reached, jump of H 0.1500 -> 0.003500 \
+            "loop of vertex 12 and 39 more: 0.9000 of 1.000 reached, jump of H 0.1500 -> 0.003500 \
              (largest 0.2500 -> 0.007500), |H| outside 1.200 +- unknown"
         );
         let told = json([&of]);

@@ -214,6 +214,9 @@ impl Found<'_> {
             _ if !suspicious_normals.is_empty() => LooseReason::SuspiciousNormals,
             SolveStatus::ConvergedToRounding => LooseReason::Rounding,
             SolveStatus::AboveTolerance => LooseReason::Tolerance,
+            SolveStatus::Converged if self.result.continuity.iter().any(|l| l.is_short) => {
+                LooseReason::Curvature
+            }
             SolveStatus::Converged => return Outcome::Converged,
         };
         Outcome::ConvergedLoosely { reason }

@@ -78,6 +78,8 @@ pub struct CurvatureContinuity {
     pub vertex: usize,
     /// How many vertices the loop has.
     pub vertices: usize,
+    /// How much of the way to the curvature of the surroundings was asked for.
+    pub asked: f64,
     /// How much of the way from the tangent-continuous surface's mean curvature to that of the surroundings was taken, in the mean along the
     /// loop: from 0 (the surroundings are too rough or uncertain, their curvature is the surface's already, or no sound surface has it) to
     /// [`Options::continuity`](crate::Options::continuity).
@@ -105,6 +107,7 @@ impl CurvatureContinuity {
         Self {
             vertex: region.vertex_ids[region.free + of_loop.vertex as usize] as usize,
             vertices: of_loop.vertices,
+            asked: of_loop.asked,
             reached: of_loop.reached,
             jump_before: of_loop.jump_before[0] / scale,
             largest_jump_before: of_loop.jump_before[1] / scale,

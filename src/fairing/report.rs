@@ -102,6 +102,9 @@ choices! {
         6 "drawn_normals" DrawnNormals =>
             "no sound surface over this hole has the normals of the mesh: they were drawn towards those of a membrane",
             "look at it; clean the boundary of the hole, or remove faces around it, and fill it again";
+        7 "curvature" Curvature =>
+            "less than half of the curvature asked for was continued: the surroundings are too rough, or no sound surface has it",
+            "look at it; ask for less continuity, or for tangent planes alone, or select a larger region";
     }
 }
 
@@ -228,17 +231,18 @@ impl Outcome {
         match self {
             Self::Converged => 0,
             Self::ConvergedLoosely { reason } => match reason {
-                LooseReason::Rounding => 2,
-                LooseReason::Tolerance => 3,
-                LooseReason::SuspiciousNormals => 4,
-                LooseReason::Bump => 5,
-                LooseReason::DrawnNormals => 6,
+                LooseReason::Curvature => 2,
+                LooseReason::Rounding => 3,
+                LooseReason::Tolerance => 4,
+                LooseReason::SuspiciousNormals => 5,
+                LooseReason::Bump => 6,
+                LooseReason::DrawnNormals => 7,
             },
-            Self::NearestMember { .. } => 7,
-            Self::SelfIntersecting { .. } => 8,
-            Self::BoundaryCrease { .. } => 9,
-            Self::PoorWhenRounded { .. } => 10,
-            Self::ConvergedPoorTriangles { .. } => 11,
+            Self::NearestMember { .. } => 8,
+            Self::SelfIntersecting { .. } => 9,
+            Self::BoundaryCrease { .. } => 10,
+            Self::PoorWhenRounded { .. } => 11,
+            Self::ConvergedPoorTriangles { .. } => 12,
             Self::TargetNotReachable { .. } => 13,
             Self::NotConverged => 14,
             Self::IterationLimit => 15,

@@ -67,7 +67,9 @@ pub(crate) struct LoopContinuity {
     pub vertex: u32,
     /// How many vertices it has.
     pub vertices: usize,
-    /// How much of the way to the curvature of the surroundings was taken.
+    /// How much of the way to the curvature of the surroundings was asked for,
+    pub asked: f64,
+    /// and was taken.
     pub reached: f64,
     /// The jump of `H`, root mean square and largest, of the tangent-continuous surface,
     pub jump_before: [f64; 2],
@@ -77,6 +79,9 @@ pub(crate) struct LoopContinuity {
     pub curvature: f64,
     /// and of its uncertainty.
     pub uncertainty: f64,
+    /// Whether less than half of what was asked for was reached, although the jump that is left is far from nothing and larger than the
+    /// uncertainty of the surroundings.
+    pub is_short: bool,
 }
 
 /// What was found.

@@ -55,6 +55,8 @@ impl AskedContinuity {
 pub(crate) struct LoopCondition {
     /// Boundary vertices in their order.
     pub vertices: Vec<u32>,
+    /// How much of the way to the curvature of the surroundings is asked for.
+    pub asked: f64,
     /// Where no earlier loop has the same vertex: loops may touch.
     pub owns: Vec<bool>,
     /// The lowest modes.
@@ -218,6 +220,7 @@ fn loop_condition(
     let most = (vertices.len() / LEAST_VERTICES_PER_MODE).clamp(1, MOST_MODES);
     let modes = LoopModes::new(&polygon, most - (most + 1) % 2);
     let mut this = LoopCondition {
+        asked: asked.of_loop(&vertices),
         inside,
         has_surroundings: surroundings.h.iter().map(|h| h.is_some()).collect(),
         surroundings: Vec::new(),

@@ -271,13 +271,18 @@ fn reached(system: &System, parts: &[f64], surface: (&[Vector3<f64>], &[f64])) -
 
 /// What came of a loop where the surface has this mean curvature.
 fn came_of(l: &LoopCondition, reached: f64, inside: &[f64]) -> LoopContinuity {
+    let jump = l.jump(inside);
+    let curvature = l.modes.product(&l.surroundings, &l.surroundings).sqrt();
+    let uncertainty = l.trusted.uncertainty;
     LoopContinuity {
+        is_short: reached < 0.5 * l.asked && jump[0] > uncertainty.max(NEGLIGIBLE * curvature),
         vertex: l.vertices[0],
         vertices: l.vertices.len(),
+        asked: l.asked,
         reached,
         jump_before: l.jump(&l.before),
-        jump: l.jump(inside),
-        curvature: l.modes.product(&l.surroundings, &l.surroundings).sqrt(),
-        uncertainty: l.trusted.uncertainty,
+        jump,
+        curvature,
+        uncertainty,
     }
 }
