@@ -342,6 +342,9 @@ pub fn told(report: &LoopReport) -> String {
         let percent = 100.0 * report.normals_reached;
         let _ = write!(text, ", with {percent:.0} % of the mesh's normals");
     }
+    if report.has_no_area() {
+        text += ", with triangles that have no area";
+    }
     if report.coarsened {
         text += ", coarser inside: vertices did not suffice";
     }

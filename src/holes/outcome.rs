@@ -197,10 +197,10 @@ pub struct LoopReport {
 }
 
 impl LoopReport {
-    /// Whether there is nothing to be said of it: a patch that converged without reservation, or was not to be faired; or a loop that
-    /// stayed open because it was not asked for. The same in every host.
+    /// Whether there is nothing to be said of it: a patch that converged without reservation, or was not to be faired, and whose triangles have
+    /// areas; or a loop that stayed open because it was not asked for. The same in every host.
     pub fn is_success(&self) -> bool {
-        if self.rim.as_ref().is_some_and(|rim| !rim.is_sound()) {
+        if self.rim.as_ref().is_some_and(|rim| !rim.is_sound()) || self.has_no_area() {
             return false;
         }
         match &self.outcome {
@@ -216,6 +216,11 @@ impl LoopReport {
             ) => true,
             _ => false,
         }
+    }
+
+    /// Whether a new triangle has no area: its corners are on a line, up to a millionth of a degree.
+    pub fn has_no_area(&self) -> bool {
+        !self.is_open() && !self.triangles.is_empty() && self.worst_angle < 1e-6
     }
 
     pub(super) fn is_open(&self) -> bool {

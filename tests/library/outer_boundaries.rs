@@ -1,6 +1,6 @@
 //! Holes are told from outer boundaries, with noise too.
 
-use fairmesh::{FillOptions, FillOutcome, LoopKind, LoopReport, boundary_loops, fill_holes};
+use fairmesh::{FillOptions, FillOutcome, LoopKind, LoopReport, Loops, boundary_loops, fill_holes};
 use fairmesh_shapes::{Sampling, sphere_with_hole};
 
 use crate::holes::largest;
@@ -116,6 +116,37 @@ fn a_patch_across_a_sharp_edge_is_no_success() {
         .iter()
         .find(|l| !matches!(l.outcome, FillOutcome::LeftOpen(_)));
     assert!(!hole.unwrap().is_success() && !filled.is_success(), "{hole:?}");
+}
+
+/// A slit of three vertices on a line has no other patch than a triangle without area.
+#[test]
+fn a_patch_without_area_is_no_success() {
+    let x = [[-2, -1], [2, -1], [2, 1], [-2, 1], [-1, 0], [0, 0], [1, 0]]
+        .map(|[x, y]| [f64::from(x), f64::from(y), 0.0]);
+    let t = [
+        [0, 4, 3],
+        [3, 4, 5],
+        [3, 5, 2],
+        [5, 6, 2],
+        [1, 2, 6],
+        [0, 1, 6],
+        [0, 6, 4],
+    ];
+    let loops = boundary_loops(&x, &t).unwrap();
+    let options = FillOptions {
+        loops: Loops::Chosen(
+            (0..loops.len())
+                .filter(|&l| loops[l].vertices.len() == 3)
+                .collect(),
+        ),
+        ..FillOptions::default()
+    };
+    let filled = fill_holes(&x, &t, &options).unwrap();
+    let [slit] = &filled.loops[..] else {
+        panic!("{} loops", filled.loops.len());
+    };
+    assert_eq!((slit.triangles.len(), slit.has_no_area()), (1, true), "{slit:?}");
+    assert!(!slit.is_success() && !filled.is_success());
 }
 
 #[test]
