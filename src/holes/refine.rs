@@ -149,12 +149,12 @@ impl<'a> Refiner<'a> {
         }
     }
 
-    /// The wanted edge length at a vertex. Where it is shorter than the boundary's edges, which stay as they are, it gets so by
+    /// The wanted edge length at a vertex. Where it is far shorter than the boundary's edges, which stay as they are, it gets so by
     /// [`GRADE`]: vertices would gather along them.
     fn wanted(&self, v: u32) -> f64 {
         let (v, f) = (v as usize, &self.fineness);
         let (size, depth) = (self.patch.size[v], self.patch.depth[v]);
-        let inside = (f.factor * size + f.growth * depth).max(size - GRADE * depth);
+        let inside = (f.factor * size + f.growth * depth).max(SHORT * size - GRADE * depth);
         inside.min(self.patch.limit[v])
     }
 
