@@ -34,11 +34,12 @@ impl Bridged {
     /// Whether there is nothing to be said of the result: all that is new converged together, or strip and patches did by themselves, as far as
     /// they were to be faired; and no hole that was to be filled is open. The same in every host.
     pub fn is_success(&self) -> bool {
-        let is_filled = |of: &LoopReport| !of.is_open();
+        let is_filled = |of: &LoopReport| !of.is_open() && !of.has_no_area();
         let is_good = |of: &LoopReport| is_filled(of) && of.is_success();
+        let mut patches = std::iter::once(&self.strip).chain(&self.rest);
         match &self.whole {
-            Some(report) => report.outcome.is_success() && self.rest.iter().all(is_filled),
-            None => is_good(&self.strip) && self.rest.iter().all(is_good),
+            Some(report) => report.outcome.is_success() && patches.all(is_filled),
+            None => patches.all(is_good),
         }
     }
 }

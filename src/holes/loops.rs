@@ -225,12 +225,9 @@ impl Links<'_> {
             .map(|(run, bad)| {
                 let component = component_of(&run);
                 let is_outer = self.is_outer(&run, positions, sizes[component], &mut seen);
-                BoundaryLoop {
-                    kind: self.kind(bad, is_outer),
-                    component,
-                    component_triangles: sizes[component],
-                    ..self.measure(run, positions, &places, &visits)
-                }
+                let kind = self.kind(bad, is_outer);
+                let of = [component, sizes[component]];
+                self.measure(run, positions, (kind, of), (&places, &visits))
             })
             .collect()
     }
@@ -280,8 +277,8 @@ impl Links<'_> {
         &self,
         run: Vec<u32>,
         positions: &[[f64; 3]],
-        places: &BoundaryPlaces,
-        visits: &[u8],
+        (kind, [component, component_triangles]): (LoopKind, [usize; 2]),
+        (places, visits): (&BoundaryPlaces, &[u8]),
     ) -> BoundaryLoop {
         let vertices: Vec<u32> = run.iter().map(|&h| self.origin(next(h))).collect();
         let at = |v: u32| Vector3::from(positions[v as usize]);
@@ -301,9 +298,9 @@ impl Links<'_> {
             area: area.norm(),
             turn: turn.to_degrees(),
             touching,
-            kind: LoopKind::Hole,
-            component: 0,
-            component_triangles: 0,
+            kind,
+            component,
+            component_triangles,
             half_edges: run,
         }
     }

@@ -9,6 +9,10 @@ use crate::quality::Quality;
 use crate::support::error::Error;
 use crate::support::table::table;
 
+/// Degrees: a triangle with a smaller angle has its corners on a line, up to rounding.
+/// Half or double, of two caps that touch in a vertex and a slit, whose least angles are 0 exactly: none changes.
+const NO_ANGLE: f64 = 1e-6;
+
 /// Why a loop was left open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
@@ -218,9 +222,9 @@ impl LoopReport {
         }
     }
 
-    /// Whether a new triangle has no area: its corners are on a line, up to a millionth of a degree.
+    /// Whether a new triangle has no area: its corners are on a line.
     pub fn has_no_area(&self) -> bool {
-        !self.is_open() && !self.triangles.is_empty() && self.worst_angle < 1e-6
+        !self.is_open() && !self.triangles.is_empty() && self.worst_angle < NO_ANGLE
     }
 
     pub(super) fn is_open(&self) -> bool {
