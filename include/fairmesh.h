@@ -530,60 +530,6 @@ typedef uint32_t fairmesh_output_precision;
 #endif // __cplusplus
 
 /**
- * How the equations are solved. Numbers are never reused.
- */
-enum fairmesh_solver_kind
-#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
-  : uint32_t
-#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
- {
-    /**
-     * Quasi-Newton steps on both equations together.
-     */
-    FAIRMESH_SOLVER_KIND_FAST = 0,
-    /**
-     * The paper's own scheme: slow, a yardstick; not for fairing in steps.
-     */
-    FAIRMESH_SOLVER_KIND_PAPER = 1,
-};
-#ifndef __cplusplus
-#if __STDC_VERSION__ >= 202311L
-typedef enum fairmesh_solver_kind fairmesh_solver_kind;
-#else
-typedef uint32_t fairmesh_solver_kind;
-#endif // __STDC_VERSION__ >= 202311L
-#endif // __cplusplus
-
-/**
- * How the paper's scheme estimates the mean curvature before the vertices are updated. Numbers are never reused.
- */
-enum fairmesh_estimate
-#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
-  : uint32_t
-#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
- {
-    /**
-     * By turns one Gauss-Seidel iteration and some of conjugate gradients.
-     */
-    FAIRMESH_ESTIMATE_ALTERNATING = 0,
-    /**
-     * Gauss-Seidel iterations.
-     */
-    FAIRMESH_ESTIMATE_GAUSS_SEIDEL = 1,
-    /**
-     * Conjugate gradient iterations.
-     */
-    FAIRMESH_ESTIMATE_CONJUGATE_GRADIENTS = 2,
-};
-#ifndef __cplusplus
-#if __STDC_VERSION__ >= 202311L
-typedef enum fairmesh_estimate fairmesh_estimate;
-#else
-typedef uint32_t fairmesh_estimate;
-#endif // __STDC_VERSION__ >= 202311L
-#endif // __cplusplus
-
-/**
  * How a run ended that did what it was asked. The positions are usable in every case. Numbers are never reused.
  */
 enum fairmesh_outcome
@@ -1320,6 +1266,39 @@ typedef uint32_t fairmesh_edit_kind;
 #endif // __cplusplus
 
 /**
+ * What `fairmesh_solver_set` changes.
+ */
+enum fairmesh_setting
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * The field `boundary_normals`.
+     */
+    FAIRMESH_SETTING_BOUNDARY_NORMALS = 0,
+    /**
+     * The fields `continuity` and `loop_continuity`.
+     */
+    FAIRMESH_SETTING_CONTINUITY = 1,
+    /**
+     * The field `boundary_curvature`.
+     */
+    FAIRMESH_SETTING_BOUNDARY_CURVATURE = 2,
+    /**
+     * The field `target`.
+     */
+    FAIRMESH_SETTING_TARGET = 3,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_setting fairmesh_setting;
+#else
+typedef uint32_t fairmesh_setting;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
  * Vectors in a result.
  */
 enum fairmesh_vectors
@@ -1408,6 +1387,84 @@ enum fairmesh_element
 typedef enum fairmesh_element fairmesh_element;
 #else
 typedef uint32_t fairmesh_element;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * The enumerations that `fairmesh_describe` knows. Numbers are never reused.
+ */
+enum fairmesh_answer
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * A `fairmesh_status`.
+     */
+    FAIRMESH_ANSWER_STATUS = 0,
+    /**
+     * A `fairmesh_outcome`.
+     */
+    FAIRMESH_ANSWER_OUTCOME = 1,
+    /**
+     * A `fairmesh_loose_reason`.
+     */
+    FAIRMESH_ANSWER_LOOSE_REASON = 2,
+    /**
+     * A `fairmesh_attempt_end`.
+     */
+    FAIRMESH_ANSWER_ATTEMPT_END = 3,
+    /**
+     * A `fairmesh_fill_outcome`.
+     */
+    FAIRMESH_ANSWER_FILL_OUTCOME = 4,
+    /**
+     * A `fairmesh_fill_reason`.
+     */
+    FAIRMESH_ANSWER_FILL_REASON = 5,
+    /**
+     * A `fairmesh_loop_kind`.
+     */
+    FAIRMESH_ANSWER_LOOP_KIND = 6,
+    /**
+     * A `fairmesh_gap_kind`.
+     */
+    FAIRMESH_ANSWER_GAP_KIND = 7,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_answer fairmesh_answer;
+#else
+typedef uint32_t fairmesh_answer;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What `fairmesh_describe` tells of a number.
+ */
+enum fairmesh_text
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * What it is called, such as "poor_triangles".
+     */
+    FAIRMESH_TEXT_NAME = 0,
+    /**
+     * What it means.
+     */
+    FAIRMESH_TEXT_MEANING = 1,
+    /**
+     * What can be done about it; empty if there is nothing to do.
+     */
+    FAIRMESH_TEXT_REMEDY = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_text fairmesh_text;
+#else
+typedef uint32_t fairmesh_text;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
@@ -1626,10 +1683,6 @@ typedef struct fairmesh_options {
      */
     uint32_t discretization;
     /**
-     * A `fairmesh_solver_kind`: how the equations are solved. Default: fast.
-     */
-    uint32_t solver;
-    /**
      * A `fairmesh_output_precision`: the precision of what the result will be written in; moved positions are rounded to it, and the report is of the rounded surface. Default: double.
      */
     uint32_t output_precision;
@@ -1642,13 +1695,9 @@ typedef struct fairmesh_options {
      */
     uint32_t intersections;
     /**
-     * A `fairmesh_estimate`: how the scheme estimates `H` (paper 7.1). For the solver `paper` only, as all that follow. Default: alternating, with 10 conjugate gradient iterations.
+     * Zero.
      */
-    uint32_t paper_estimate;
-    /**
-     * Iterations of the estimate. Default 10. At least 1.
-     */
-    uint32_t paper_estimate_iterations;
+    uint32_t reserved;
     /**
      * Normals at the boundary vertices. Default: fitted to the surroundings.
      */
@@ -1677,30 +1726,6 @@ typedef struct fairmesh_options {
      * At most this many nonlinear iterations for each component of the region. Default 500. At least 1.
      */
     uint64_t max_iterations;
-    /**
-     * The part of each normal step that is taken (`s` of paper 7.5); the tangential step is taken whole. Default 0.9. Greater than 0, at most 1.
-     */
-    double paper_damping;
-    /**
-     * Levels of the hierarchy (paper 7.4), the given mesh included; 1: no hierarchy. Default 0: as many as make each level about four times as large as the one before.
-     */
-    uint64_t paper_levels;
-    /**
-     * Vertices of the base mesh, boundary included. Default 0: two and a half times the boundary. The base has more where no further collapse is allowed.
-     */
-    uint64_t paper_base;
-    /**
-     * Stop when the harmonic defect (`defect` of the report) is at most this. Default 1e-6. Greater than 0.
-     */
-    double paper_defect;
-    /**
-     * And when `max |Delta_B H|` times the cube of the region's diagonal is at most this; below what the rounding of the positions makes of it, that counts, and the outcome says so. Default: infinite. Greater than 0.
-     */
-    double paper_laplacian;
-    /**
-     * At most this many updates of the mesh on all levels together. Default 20000. At least 1.
-     */
-    uint64_t paper_max_updates;
     /**
      * Called with the progress; may be NULL, the default.
      */
@@ -2019,10 +2044,6 @@ typedef struct fairmesh_report {
      */
     uint64_t free_vertices;
     /**
-     * Levels of the paper's scheme; 0 for the fast solver.
-     */
-    uint64_t level_count;
-    /**
      * Free vertices that inner fairness does not spread as asked.
      */
     uint64_t fallback_weights;
@@ -2192,198 +2213,6 @@ typedef struct fairmesh_scalars_out {
      */
     uint32_t reserved;
 } fairmesh_scalars_out;
-
-/**
- * What came of one component of the region: free vertices that are connected by edges, or lie around a fixed vertex inside
- * the region whose normal is not given. Components are independent problems, each with the result that it has in a call
- * where it alone is selected. Set `struct_size` before the call.
- */
-typedef struct fairmesh_component {
-    /**
-     * `sizeof(fairmesh_component)`.
-     */
-    uint32_t struct_size;
-    /**
-     * A `fairmesh_outcome`.
-     */
-    uint32_t outcome;
-    /**
-     * A `fairmesh_loose_reason`: what the outcome CONVERGED_LOOSELY is about.
-     */
-    uint32_t loose_reason;
-    /**
-     * Not 0: its surface is that of the linear problem.
-     */
-    uint32_t linear_surface;
-    /**
-     * Its free vertex with the smallest index.
-     */
-    uint64_t vertex;
-    /**
-     * Its free vertices.
-     */
-    uint64_t free_vertices;
-    /**
-     * Nonlinear iterations.
-     */
-    uint64_t iterations;
-    /**
-     * Defect of the equation, times its diagonal.
-     */
-    double defect;
-    /**
-     * The last step norm, in its diagonals; NaN if there was none.
-     */
-    double step;
-    /**
-     * The diagonal of its bounding box, in the unit of the positions.
-     */
-    double diagonal;
-    /**
-     * How much of the boundary normals or the target was reached, 0 to 1; 1 where all of it.
-     */
-    double reached;
-    /**
-     * Its flipped triangles.
-     */
-    uint64_t flipped_count;
-    /**
-     * Its triangles with an angle below one degree.
-     */
-    uint64_t needle_count;
-    /**
-     * The smallest angle of its triangles, in degrees.
-     */
-    double worst_angle;
-    /**
-     * The triangle that has it.
-     */
-    uint64_t worst_triangle;
-    /**
-     * The smallest and largest mean curvature at its free vertices, in 1 / length; negative on a sphere.
-     */
-    double h_inside[2];
-    /**
-     * The same at its boundary vertices.
-     */
-    double h_boundary[2];
-    /**
-     * The largest angle, in degrees, between a boundary normal and its triangles there.
-     */
-    double normal_deviation;
-    /**
-     * The vertex that has it.
-     */
-    uint64_t normal_deviation_vertex;
-    /**
-     * The root mean square of those angles.
-     */
-    double normal_deviation_rms;
-    /**
-     * Of NEAREST_MEMBER the w of its equation Delta_B H = -2 w H (H^2 - K), over 0 and at most 1; otherwise 0.
-     */
-    double member_weight;
-    /**
-     * Its bending energy, the integral of H^2 over its free vertices, without unit.
-     */
-    double bending_energy;
-    /**
-     * Attempts at its surface, see `fairmesh_result_attempt`, `fairmesh_solver_attempt`; 0 for the paper's scheme.
-     */
-    uint64_t attempt_count;
-    /**
-     * Boundary loops whose curvature was to be continued, see `fairmesh_result_continuity`, `fairmesh_solver_continuity`; 0 where the
-     * options' `continuity` is 0, no loop has surroundings and vertices enough, or no surface was found to begin with.
-     */
-    uint64_t continuity_count;
-} fairmesh_component;
-
-/**
- * An attempt at the surface of a component. Those on the coarse mesh decide where the fine one begins; of two sound surfaces
- * there that differ the one of less bending energy is taken. Set `struct_size` before the call.
- */
-typedef struct fairmesh_attempt {
-    /**
-     * `sizeof(fairmesh_attempt)`.
-     */
-    uint32_t struct_size;
-    /**
-     * A `fairmesh_attempt_end`.
-     */
-    uint32_t end;
-    /**
-     * The free vertices of its mesh: fewer than the component's on the coarse mesh.
-     */
-    uint64_t free_vertices;
-    /**
-     * Nonlinear iterations.
-     */
-    uint64_t iterations;
-    /**
-     * The bending energy of its surface, without unit; NaN where it has none.
-     */
-    double bending_energy;
-    /**
-     * What was tried, in a few words of English, ending with a NUL.
-     */
-    char name[48];
-} fairmesh_attempt;
-
-/**
- * How far the surface continues the mean curvature of its surroundings along one boundary loop; curvatures in 1 / length. Set
- * `struct_size` before the call.
- */
-typedef struct fairmesh_continuity {
-    /**
-     * `sizeof(fairmesh_continuity)`.
-     */
-    uint32_t struct_size;
-    /**
-     * Zero.
-     */
-    uint32_t reserved;
-    /**
-     * The boundary vertex of the loop with the smallest index.
-     */
-    uint64_t vertex;
-    /**
-     * The vertices of the loop.
-     */
-    uint64_t vertex_count;
-    /**
-     * How much of the way to the curvature of the surroundings was asked for.
-     */
-    double asked;
-    /**
-     * How much of the way from the tangent-continuous surface's mean curvature to that of the surroundings was taken, in the mean
-     * along the loop: from 0 to `continuity` of the options.
-     */
-    double reached;
-    /**
-     * The jump of the mean curvature at the loop of the tangent-continuous surface, root mean square.
-     */
-    double jump_before;
-    /**
-     * The largest such jump.
-     */
-    double largest_jump_before;
-    /**
-     * The jump of the mean curvature at the loop, root mean square.
-     */
-    double jump;
-    /**
-     * The largest jump.
-     */
-    double largest_jump;
-    /**
-     * The root mean square of the mean curvature of the surroundings along the loop.
-     */
-    double curvature;
-    /**
-     * How uncertain that is, root mean square. Where it is no smaller than `jump_before`, there is nothing to be continued.
-     */
-    double uncertainty;
-} fairmesh_continuity;
 
 /**
  * A change of what is asked at the boundary. Set it to zero first; what its kind does not need is not read. It never grows.
@@ -2610,11 +2439,148 @@ typedef struct fairmesh_info {
 } fairmesh_info;
 
 /**
- * What was done on one level of the paper's scheme. Set `struct_size` before the call.
+ * What came of one component of the region: free vertices that are connected by edges, or lie around a fixed vertex inside
+ * the region whose normal is not given. Components are independent problems, each with the result that it has in a call
+ * where it alone is selected. Set `struct_size` before the call.
  */
-typedef struct fairmesh_level {
+typedef struct fairmesh_component {
     /**
-     * `sizeof(fairmesh_level)`.
+     * `sizeof(fairmesh_component)`.
+     */
+    uint32_t struct_size;
+    /**
+     * A `fairmesh_outcome`.
+     */
+    uint32_t outcome;
+    /**
+     * A `fairmesh_loose_reason`: what the outcome CONVERGED_LOOSELY is about.
+     */
+    uint32_t loose_reason;
+    /**
+     * Not 0: its surface is that of the linear problem.
+     */
+    uint32_t linear_surface;
+    /**
+     * Its free vertex with the smallest index.
+     */
+    uint64_t vertex;
+    /**
+     * Its free vertices.
+     */
+    uint64_t free_vertices;
+    /**
+     * Nonlinear iterations.
+     */
+    uint64_t iterations;
+    /**
+     * Defect of the equation, times its diagonal.
+     */
+    double defect;
+    /**
+     * The last step norm, in its diagonals; NaN if there was none.
+     */
+    double step;
+    /**
+     * The diagonal of its bounding box, in the unit of the positions.
+     */
+    double diagonal;
+    /**
+     * How much of the boundary normals or the target was reached, 0 to 1; 1 where all of it.
+     */
+    double reached;
+    /**
+     * Its flipped triangles.
+     */
+    uint64_t flipped_count;
+    /**
+     * Its triangles with an angle below one degree.
+     */
+    uint64_t needle_count;
+    /**
+     * The smallest angle of its triangles, in degrees.
+     */
+    double worst_angle;
+    /**
+     * The triangle that has it.
+     */
+    uint64_t worst_triangle;
+    /**
+     * The smallest and largest mean curvature at its free vertices, in 1 / length; negative on a sphere.
+     */
+    double h_inside[2];
+    /**
+     * The same at its boundary vertices.
+     */
+    double h_boundary[2];
+    /**
+     * The largest angle, in degrees, between a boundary normal and its triangles there.
+     */
+    double normal_deviation;
+    /**
+     * The vertex that has it.
+     */
+    uint64_t normal_deviation_vertex;
+    /**
+     * The root mean square of those angles.
+     */
+    double normal_deviation_rms;
+    /**
+     * Of NEAREST_MEMBER the w of its equation Delta_B H = -2 w H (H^2 - K), over 0 and at most 1; otherwise 0.
+     */
+    double member_weight;
+    /**
+     * Its bending energy, the integral of H^2 over its free vertices, without unit.
+     */
+    double bending_energy;
+    /**
+     * Attempts at its surface, see `fairmesh_result_attempt`.
+     */
+    uint64_t attempt_count;
+    /**
+     * Boundary loops whose curvature was to be continued, see `fairmesh_result_continuity`, `fairmesh_solver_continuity`; 0 where the
+     * options' `continuity` is 0, no loop has surroundings and vertices enough, or no surface was found to begin with.
+     */
+    uint64_t continuity_count;
+} fairmesh_component;
+
+/**
+ * An attempt at the surface of a component. Those on the coarse mesh decide where the fine one begins; of two sound surfaces
+ * there that differ the one of less bending energy is taken. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_attempt {
+    /**
+     * `sizeof(fairmesh_attempt)`.
+     */
+    uint32_t struct_size;
+    /**
+     * A `fairmesh_attempt_end`.
+     */
+    uint32_t end;
+    /**
+     * The free vertices of its mesh: fewer than the component's on the coarse mesh.
+     */
+    uint64_t free_vertices;
+    /**
+     * Nonlinear iterations.
+     */
+    uint64_t iterations;
+    /**
+     * The bending energy of its surface, without unit; NaN where it has none.
+     */
+    double bending_energy;
+    /**
+     * What was tried, in a few words of English, ending with a NUL.
+     */
+    char name[48];
+} fairmesh_attempt;
+
+/**
+ * How far the surface continues the mean curvature of its surroundings along one boundary loop; curvatures in 1 / length. Set
+ * `struct_size` before the call.
+ */
+typedef struct fairmesh_continuity {
+    /**
+     * `sizeof(fairmesh_continuity)`.
      */
     uint32_t struct_size;
     /**
@@ -2622,22 +2588,47 @@ typedef struct fairmesh_level {
      */
     uint32_t reserved;
     /**
-     * Vertices of the region: free and boundary.
+     * The boundary vertex of the loop with the smallest index.
      */
-    uint64_t vertices;
+    uint64_t vertex;
     /**
-     * Triangles of the region.
+     * The vertices of the loop.
      */
-    uint64_t triangles;
+    uint64_t vertex_count;
     /**
-     * Updates of the mesh.
+     * How much of the way to the curvature of the surroundings was asked for.
      */
-    uint64_t updates;
+    double asked;
     /**
-     * The defect at the end.
+     * How much of the way from the tangent-continuous surface's mean curvature to that of the surroundings was taken, in the mean
+     * along the loop: from 0 to `continuity` of the options.
      */
-    double defect;
-} fairmesh_level;
+    double reached;
+    /**
+     * The jump of the mean curvature at the loop of the tangent-continuous surface, root mean square.
+     */
+    double jump_before;
+    /**
+     * The largest such jump.
+     */
+    double largest_jump_before;
+    /**
+     * The jump of the mean curvature at the loop, root mean square.
+     */
+    double jump;
+    /**
+     * The largest jump.
+     */
+    double largest_jump;
+    /**
+     * The root mean square of the mean curvature of the surroundings along the loop.
+     */
+    double curvature;
+    /**
+     * How uncertain that is, root mean square. Where it is no smaller than `jump_before`, there is nothing to be continued.
+     */
+    double uncertainty;
+} fairmesh_continuity;
 
 /**
  * A boundary loop. Set `struct_size` before the call.
@@ -2980,111 +2971,6 @@ extern "C" {
 #endif // __cplusplus
 
 /**
- * The name of a `fairmesh_status`, such as "null_pointer"; "unknown" for other numbers. Static; never NULL.
- */
-FAIRMESH_API const char *fairmesh_status_name(int32_t status);
-
-/**
- * What a `fairmesh_status` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
- */
-FAIRMESH_API
-const char *fairmesh_status_text(int32_t status);
-
-/**
- * What can be done about a `fairmesh_status`, written like its text; empty if there is nothing to do. Static; never NULL.
- */
-FAIRMESH_API
-const char *fairmesh_status_remedy(int32_t status);
-
-/**
- * The name of a `fairmesh_outcome`, such as "converged_poor_triangles"; "unknown" for other numbers. Static; never NULL.
- */
-FAIRMESH_API
-const char *fairmesh_outcome_name(uint32_t outcome);
-
-/**
- * What a `fairmesh_outcome` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
- */
-FAIRMESH_API
-const char *fairmesh_outcome_text(uint32_t outcome);
-
-/**
- * What can be done about a `fairmesh_outcome`, written like its text; empty if there is nothing to do. Static; never NULL.
- */
-FAIRMESH_API
-const char *fairmesh_outcome_remedy(uint32_t outcome);
-
-/**
- * The name of a `fairmesh_loose_reason`, such as "suspicious_normals"; "unknown" for other numbers. Static; never NULL.
- */
-FAIRMESH_API
-const char *fairmesh_loose_reason_name(uint32_t loose_reason);
-
-/**
- * What a `fairmesh_loose_reason` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
- */
-FAIRMESH_API
-const char *fairmesh_loose_reason_text(uint32_t loose_reason);
-
-/**
- * What can be done about a `fairmesh_loose_reason`, written like its text; empty if there is nothing to do. Static; never NULL.
- */
-FAIRMESH_API
-const char *fairmesh_loose_reason_remedy(uint32_t loose_reason);
-
-/**
- * The name of a `fairmesh_attempt_end`, such as "unsound"; "unknown" for other numbers. Static; never NULL.
- */
-FAIRMESH_API const char *fairmesh_attempt_end_name(uint32_t attempt_end);
-
-/**
- * What a `fairmesh_attempt_end` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
- */
-FAIRMESH_API
-const char *fairmesh_attempt_end_text(uint32_t attempt_end);
-
-/**
- * What can be done about a `fairmesh_attempt_end`, written like its text; empty if there is nothing to do. Static; never NULL.
- */
-FAIRMESH_API
-const char *fairmesh_attempt_end_remedy(uint32_t attempt_end);
-
-/**
- * The name of a `fairmesh_fill_outcome`, such as "linear"; "unknown" for other numbers. Static; never NULL.
- */
-FAIRMESH_API const char *fairmesh_fill_outcome_name(uint32_t fill_outcome);
-
-/**
- * What a `fairmesh_fill_outcome` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
- */
-FAIRMESH_API
-const char *fairmesh_fill_outcome_text(uint32_t fill_outcome);
-
-/**
- * What can be done about a `fairmesh_fill_outcome`, written like its text; empty if there is nothing to do. Static; never NULL.
- */
-FAIRMESH_API
-const char *fairmesh_fill_outcome_remedy(uint32_t fill_outcome);
-
-/**
- * The name of a `fairmesh_fill_reason`, such as "non_manifold"; "unknown" for other numbers. Static; never NULL.
- */
-FAIRMESH_API
-const char *fairmesh_fill_reason_name(uint32_t fill_reason);
-
-/**
- * What a `fairmesh_fill_reason` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
- */
-FAIRMESH_API
-const char *fairmesh_fill_reason_text(uint32_t fill_reason);
-
-/**
- * What can be done about a `fairmesh_fill_reason`, written like its text; empty if there is nothing to do. Static; never NULL.
- */
-FAIRMESH_API
-const char *fairmesh_fill_reason_remedy(uint32_t fill_reason);
-
-/**
  * The version of the library that runs: 65536 major + 256 minor + patch. Compare it with `FAIRMESH_VERSION_MAJOR` and so on,
  * which are those of the header.
  */
@@ -3121,6 +3007,16 @@ fairmesh_status fairmesh_bridge_options_init(struct fairmesh_bridge_options *opt
 FAIRMESH_API
 fairmesh_status fairmesh_remesh_options_init(struct fairmesh_remesh_options *options,
                                              size_t struct_size);
+
+/**
+ * What a number that the library answers with is called, what it means, or what can be done about it: English; meanings and remedies
+ * begin in lower case and end without a full stop. `answer` is a `fairmesh_answer`, the enumeration of `number`, and `text` a
+ * `fairmesh_text`. "unknown" and empty for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_describe(uint32_t answer,
+                              int64_t number,
+                              uint32_t text);
 
 /**
  * Moves the free vertices of a mesh until the surface solves Delta_B H = 0, or what the options' target asks, between the
@@ -3189,38 +3085,14 @@ fairmesh_status fairmesh_solver_run(struct fairmesh_solver *solver,
                                     struct fairmesh_error *error);
 
 /**
- * Asks for other boundary normals from now on. The next run starts at the surface at hand, with the matrices at hand.
+ * Asks for another value of one option from now on: `setting` is a `fairmesh_setting`, and nothing else of `options` is looked at. NULL: the
+ * default. The next run starts at the surface at hand, with the matrices at hand.
  */
 FAIRMESH_API
-fairmesh_status fairmesh_solver_set_boundary_normals(struct fairmesh_solver *solver,
-                                                     const struct fairmesh_boundary_normals *normals,
-                                                     struct fairmesh_error *error);
-
-/**
- * Asks for another target from now on. The next run starts at the surface at hand, with the matrices at hand.
- */
-FAIRMESH_API
-fairmesh_status fairmesh_solver_set_target(struct fairmesh_solver *solver,
-                                           const struct fairmesh_target *new_target,
-                                           struct fairmesh_error *error);
-
-/**
- * Asks for another continuity of curvature from now on, and for that of single boundary loops; `of_loops` may be NULL: all are alike. The
- * next run starts at the surface at hand, with the matrices at hand.
- */
-FAIRMESH_API
-fairmesh_status fairmesh_solver_set_continuity(struct fairmesh_solver *solver,
-                                               double continuity,
-                                               const struct fairmesh_loop_continuity *of_loops,
-                                               struct fairmesh_error *error);
-
-/**
- * Asks for the continuation of another curvature from now on. The next run starts at the surface at hand, with the matrices at hand.
- */
-FAIRMESH_API
-fairmesh_status fairmesh_solver_set_boundary_curvature(struct fairmesh_solver *solver,
-                                                       const struct fairmesh_boundary_curvature *curvature,
-                                                       struct fairmesh_error *error);
+fairmesh_status fairmesh_solver_set(struct fairmesh_solver *solver,
+                                    uint32_t setting,
+                                    const struct fairmesh_options *options,
+                                    struct fairmesh_error *error);
 
 /**
  * All positions as they stand: of the last iteration or frame; before the first one, the input's.
@@ -3231,53 +3103,8 @@ fairmesh_status fairmesh_solver_positions(const struct fairmesh_solver *solver,
                                           struct fairmesh_error *error);
 
 /**
- * The mean curvature of the surface as it stands, one number per vertex; NaN where no vertex is free.
- */
-FAIRMESH_API
-fairmesh_status fairmesh_solver_mean_curvature(const struct fairmesh_solver *solver,
-                                               const struct fairmesh_scalars_out *out,
-                                               struct fairmesh_error *error);
-
-/**
- * The report of the last run; before the first one, of the input.
- */
-FAIRMESH_API
-fairmesh_status fairmesh_solver_report(const struct fairmesh_solver *solver,
-                                       struct fairmesh_report *report,
-                                       struct fairmesh_error *error);
-
-/**
- * One component in that report, by its number: they are sorted by their smallest free vertices.
- */
-FAIRMESH_API
-fairmesh_status fairmesh_solver_component(const struct fairmesh_solver *solver,
-                                          uint64_t number,
-                                          struct fairmesh_component *component,
-                                          struct fairmesh_error *error);
-
-/**
- * One attempt at the surface of a component in that report, by its number, in the order in which they were made.
- */
-FAIRMESH_API
-fairmesh_status fairmesh_solver_attempt(const struct fairmesh_solver *solver,
-                                        uint64_t component,
-                                        uint64_t number,
-                                        struct fairmesh_attempt *attempt,
-                                        struct fairmesh_error *error);
-
-/**
- * How far the surface continues the curvature of its surroundings along one boundary loop of a component in that report, by its
- * number.
- */
-FAIRMESH_API
-fairmesh_status fairmesh_solver_continuity(const struct fairmesh_solver *solver,
-                                           uint64_t component,
-                                           uint64_t number,
-                                           struct fairmesh_continuity *continuity,
-                                           struct fairmesh_error *error);
-
-/**
- * A copy of everything that is known of the surface as it stands: curvatures, lists, boundary normals. `result` gets a
+ * A copy of everything that is known of the surface as it stands: its report, curvatures, lists, boundary normals. Before the first run the
+ * report is of the input. `result` gets a
  * handle of its own; free it.
  */
 FAIRMESH_API
@@ -3508,15 +3335,6 @@ fairmesh_status fairmesh_result_report(const struct fairmesh_result *result,
                                        uint64_t index,
                                        struct fairmesh_report *report,
                                        struct fairmesh_error *error);
-
-/**
- * A level of the paper's scheme, from the base (0) to the mesh given.
- */
-FAIRMESH_API
-fairmesh_status fairmesh_result_level(const struct fairmesh_result *result,
-                                      uint64_t index,
-                                      struct fairmesh_level *level,
-                                      struct fairmesh_error *error);
 
 /**
  * One component of the region, by its number: they are sorted by their smallest free vertices, and the report with this `index`

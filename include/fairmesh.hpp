@@ -26,7 +26,7 @@ namespace fairmesh {
 class error : public std::runtime_error {
 public:
     explicit error(const fairmesh_error &detail)
-        : std::runtime_error(detail.message[0] ? detail.message : fairmesh_status_name(detail.status)), detail_(detail) {}
+        : std::runtime_error(detail.message[0] ? detail.message : fairmesh_describe(FAIRMESH_ANSWER_STATUS, detail.status, FAIRMESH_TEXT_NAME)), detail_(detail) {}
 
     fairmesh_status status() const noexcept { return static_cast<fairmesh_status>(detail_.status); }
     /** A fairmesh_element, and the numbers that go with it. */
@@ -219,9 +219,6 @@ public:
     fairmesh_report report(std::uint64_t index = 0) const {
         return detail::record<fairmesh_report>(fairmesh_result_report, handle_, index);
     }
-    fairmesh_level level(std::uint64_t index) const {
-        return detail::record<fairmesh_level>(fairmesh_result_level, handle_, index);
-    }
     fairmesh_component component(std::uint64_t number, std::uint64_t index = 0) const {
         return detail::record<fairmesh_component>(fairmesh_result_component, handle_, index, number);
     }
@@ -400,6 +397,13 @@ inline fairmesh_edit moved(const std::vector<std::uint32_t> &vertices, const std
     return made;
 }
 
+/** What a frame may cost; see fairmesh_budget. No number converts to it: which of them it were, nobody would see. */
+struct budget {
+    std::uint64_t evaluations = 0;
+    double seconds = 0;
+    double tolerance = 0;
+};
+
 /** Fairing in steps; see fairmesh_solver_new. Used by one thread at a time. */
 class solver {
 public:
@@ -424,26 +428,37 @@ public:
         relay_->rethrow();
         return report;
     }
-    void set_boundary_normals(const fairmesh_boundary_normals &normals) { detail::call(fairmesh_solver_set_boundary_normals, handle_, &normals); }
-    void set_continuity(double continuity) {
-        detail::call(fairmesh_solver_set_continuity, handle_, continuity, static_cast<const fairmesh_loop_continuity *>(nullptr));
+    /** Other options from now on; see fairmesh_solver_set. */
+    void set_boundary_normals(const fairmesh_boundary_normals &normals) {
+        options asked;
+        asked.boundary_normals = normals;
+        set(FAIRMESH_SETTING_BOUNDARY_NORMALS, asked);
     }
-    void set_continuity(double continuity, const fairmesh_loop_continuity &of_loops) {
-        detail::call(fairmesh_solver_set_continuity, handle_, continuity, &of_loops);
+    void set_continuity(double continuity, const fairmesh_loop_continuity &of_loops = {}) {
+        options asked;
+        asked.continuity = continuity;
+        asked.loop_continuity = of_loops;
+        set(FAIRMESH_SETTING_CONTINUITY, asked);
     }
     void set_boundary_curvature(const fairmesh_boundary_curvature &curvature) {
-        detail::call(fairmesh_solver_set_boundary_curvature, handle_, &curvature);
+        options asked;
+        asked.boundary_curvature = curvature;
+        set(FAIRMESH_SETTING_BOUNDARY_CURVATURE, asked);
     }
-    void set_target(const fairmesh_target &target) { detail::call(fairmesh_solver_set_target, handle_, &target); }
+    void set_target(const fairmesh_target &target) {
+        options asked;
+        asked.target = target;
+        set(FAIRMESH_SETTING_TARGET, asked);
+    }
     /** Changes of the boundary, in the place of those before; see fairmesh_solver_edit. */
     void edit(const std::vector<fairmesh_edit> &edits) { detail::call(fairmesh_solver_edit, handle_, edits.data(), edits.size()); }
     /** One frame; see fairmesh_solver_update. */
-    fairmesh_frame update(std::uint64_t evaluations = 0, double seconds = 0, double tolerance = 0) {
-        auto limit = detail::sized<fairmesh_budget>();
-        limit.evaluations = evaluations;
-        limit.seconds = seconds;
-        limit.tolerance = tolerance;
-        return detail::record<fairmesh_frame>(fairmesh_solver_update, handle_, &limit);
+    fairmesh_frame update(const budget &limit = {}) {
+        auto plain = detail::sized<fairmesh_budget>();
+        plain.evaluations = limit.evaluations;
+        plain.seconds = limit.seconds;
+        plain.tolerance = limit.tolerance;
+        return detail::record<fairmesh_frame>(fairmesh_solver_update, handle_, &plain);
     }
     /** The converged surface; see fairmesh_solver_finish. */
     fairmesh_report finish() {
@@ -458,26 +473,13 @@ public:
         return {made.low, made.high};
     }
     void positions(const fairmesh_points_out &out) const { detail::call(fairmesh_solver_positions, handle_, &out); }
-    void mean_curvature(const fairmesh_scalars_out &out) const {
-        detail::call(fairmesh_solver_mean_curvature, handle_, &out);
-    }
-    fairmesh_report report() const {
-        return detail::record<fairmesh_report>(fairmesh_solver_report, handle_);
-    }
-    fairmesh_component component(std::uint64_t number) const {
-        return detail::record<fairmesh_component>(fairmesh_solver_component, handle_, number);
-    }
-    fairmesh_attempt attempt(std::uint64_t component, std::uint64_t number) const {
-        return detail::record<fairmesh_attempt>(fairmesh_solver_attempt, handle_, component, number);
-    }
-    fairmesh_continuity continuity(std::uint64_t component, std::uint64_t number) const {
-        return detail::record<fairmesh_continuity>(fairmesh_solver_continuity, handle_, component, number);
-    }
+    /** Everything that is known of the surface as it stands: its report, curvatures, lists. */
     result snapshot() const {
         return detail::made(fairmesh_solver_result, handle_);
     }
 
 private:
+    void set(fairmesh_setting setting, const options &asked) { detail::call(fairmesh_solver_set, handle_, setting, &asked); }
     /** Stays where it is when the solver moves: the library knows its address. */
     std::unique_ptr<detail::relay> relay_;
     fairmesh_solver *handle_ = nullptr;
@@ -503,8 +505,8 @@ struct fill_options : fairmesh_fill_options {
     }
 
     /** In place of `loops` of the C struct: these loops and no others, also where there are none of them. */
-    void only(std::vector<std::uint32_t> loops) {
-        listed_ = std::move(loops);
+    void only(std::vector<std::uint32_t> numbers) {
+        listed_ = std::move(numbers);
         lists_ = true;
     }
 

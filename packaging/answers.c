@@ -16,7 +16,7 @@ static size_t vertices, triangles;
 static uint32_t seed;
 
 static void stop(const char *where, int32_t status, const fairmesh_error *error) {
-    fprintf(stderr, "%s: %s: %s\n", where, fairmesh_status_name(status), error->message);
+    fprintf(stderr, "%s: %s: %s\n", where, fairmesh_describe(FAIRMESH_ANSWER_STATUS, status, FAIRMESH_TEXT_NAME), error->message);
     exit(1);
 }
 
@@ -133,7 +133,7 @@ static void fair(const fairmesh_options *options, int in_single) {
     if (in_single) {
         for (k = 0; k < 3 * vertices; k++) positions[k] = single[k];
     }
-    printf("%s, %u iterations\n", fairmesh_outcome_name(report.outcome), (unsigned)report.iterations);
+    printf("%s, %u iterations\n", fairmesh_describe(FAIRMESH_ANSWER_OUTCOME, report.outcome, FAIRMESH_TEXT_NAME), (unsigned)report.iterations);
     print_bits(positions, 3 * vertices);
 }
 
@@ -182,11 +182,7 @@ int main(int count, char **arguments) {
     sheet(&s, which > 7);
     if (which == 4) options.inner_fairness = FAIRMESH_INNER_FAIRNESS_CONFORMAL;
     if (which == 5) options.continuity = 1;
-    if (which == 7) {
-        options.solver = FAIRMESH_SOLVER_KIND_PAPER;
-        options.discretization = FAIRMESH_DISCRETIZATION_PAPER;
-        options.paper_max_updates = 200;
-    }
+    if (which == 7) options.discretization = FAIRMESH_DISCRETIZATION_PAPER;
     if (which == 10) {
         /* A second one below it, face to face with a hole each: a tube is made between them. */
         Sheet below = s;

@@ -68,10 +68,10 @@ int main(void) {
     fairmesh_error error;
     fairmesh_status status = fairmesh_fair(&mesh, &selection, &options, &out, &report, NULL, &error);
     if (status != FAIRMESH_STATUS_OK) {
-        fprintf(stderr, "%s: %s\n", fairmesh_status_name(status), error.message);
+        fprintf(stderr, "%s: %s\n", fairmesh_describe(FAIRMESH_ANSWER_STATUS, status, FAIRMESH_TEXT_NAME), error.message);
         return 1;
     }
-    printf("%s after %u iterations; the middle is at z = %.4f\n", fairmesh_outcome_name(report.outcome),
+    printf("%s after %u iterations; the middle is at z = %.4f\n", fairmesh_describe(FAIRMESH_ANSWER_OUTCOME, report.outcome, FAIRMESH_TEXT_NAME),
            (unsigned)report.iterations, positions[VERTICES / 2][2]);
     return report.outcome == FAIRMESH_OUTCOME_CONVERGED ? 0 : 2;
 }

@@ -1,13 +1,12 @@
 //! Versions, names and defaults.
 
-use core::ffi::CStr;
-
 use std::ffi::c_char;
 
 use super::guard::guarded;
 use super::option_structs::{
     fairmesh_bridge_options, fairmesh_fill_options, fairmesh_options, fairmesh_remesh_options,
 };
+use super::texts::ANSWERS;
 use super::types::*;
 use super::views::*;
 use fairmesh::{Entry, table_entry};
@@ -77,9 +76,21 @@ pub extern "C" fn fairmesh_remesh_options_init(
     })
 }
 
-/// What the tables say of a number.
-pub(crate) fn told(tables: &[&[Entry]], number: u32, what: fn(&Entry) -> &'static CStr) -> *const c_char {
+/// What a number that the library answers with is called, what it means, or what can be done about it: English; meanings and remedies
+/// begin in lower case and end without a full stop. `answer` is a `fairmesh_answer`, the enumeration of `number`, and `text` a
+/// `fairmesh_text`. "unknown" and empty for other numbers. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_describe(answer: u32, number: i64, text: u32) -> *const c_char {
     const UNKNOWN: Entry = table_entry!(0, "unknown", "", "");
+    let tables = ANSWERS.get(answer as usize).copied().unwrap_or_default();
     let mut entries = tables.iter().copied().flatten();
-    what(entries.find(|entry| entry.number() == number).unwrap_or(&UNKNOWN)).as_ptr()
+    let entry = entries.find(|entry| i64::from(entry.number()) == number);
+    let entry = entry.unwrap_or(&UNKNOWN);
+    match text {
+        of if of == fairmesh_text::Name as u32 => entry.c_name(),
+        of if of == fairmesh_text::Meaning as u32 => entry.c_text(),
+        of if of == fairmesh_text::Remedy as u32 => entry.c_remedy(),
+        _ => c"",
+    }
+    .as_ptr()
 }

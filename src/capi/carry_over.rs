@@ -30,7 +30,7 @@ pub extern "C" fn fairmesh_carry_over(
         let mesh = MeshIn::new(mesh, Argument(1), call)?;
         let among = optional_list_in(among, Argument(2), call)?;
         let points = Points::points_in(&call.read(points, Argument(3))?, Argument(3).start())?;
-        call.input(points.array.data, points.array.bytes);
+        call.input(points.array.memory());
         let result = ResultOut::last(result, Argument(4), call)?;
         let (positions, triangles) = mesh.read()?;
         let points = points.read()?;

@@ -110,7 +110,7 @@ pub(crate) fn edits(
     for k in 0..count {
         let place = Argument(2).element::<fairmesh_edit>(k, "edits");
         let edit = EditIn::new(read(edits.wrapping_add(k)), place)?;
-        call.late_input(edit.vertices.data, edit.vertices.bytes)?;
+        call.late_input(edit.vertices.memory())?;
         checked.push(edit);
     }
     let mut edits = try_with_capacity(count)?;

@@ -100,7 +100,7 @@ impl PositionsOut {
         points.check_count(mesh.vertices(), argument)?;
         let in_place = points.same_as(&mesh.positions);
         if !in_place {
-            call.output(points.array.data, points.array.bytes, argument)?;
+            call.output(points.array.memory(), argument)?;
         }
         Ok(Some(Self { points, in_place }))
     }

@@ -41,14 +41,14 @@ impl FillOptionsIn {
     ) -> CallResult<Self> {
         let view = call.read_options(options, argument, fairmesh_fill_options::standard)?;
         let loops = indices_in(&view.loops, 1, field!(argument, fairmesh_fill_options.loops))?;
-        call.input(loops.data, loops.bytes);
+        call.input(loops.memory());
         let plain = view.read_fill_options(argument)?;
         let join = JoinIn::new(&view.join, field!(argument, fairmesh_fill_options.join), call)?;
         let place = field!(argument, fairmesh_fill_options.filter);
         let filter = FilterIn::new(&view.filter, place, view.max_edges, call)?;
         let lists = view.lists(argument)?;
         for list in &lists {
-            call.input(list.data, list.bytes);
+            call.input(list.memory());
         }
         let plain = FillOptions {
             loops: Loops::Where(filter.checked()),

@@ -22,12 +22,16 @@ fn run(error: *mut fairmesh_error, body: &mut dyn FnMut(&mut Call) -> CallResult
         return fairmesh_status::Misaligned;
     }
     let failures = memory::failures();
-    let mut result = caught(|| body(&mut Call::new(error))).unwrap_or_else(Err);
+    let mut call = Call::new(error);
+    let mut result = caught(|| body(&mut call)).unwrap_or_else(Err);
     if let Err(failure) = &result
         && failure.status == fairmesh_status::Threads
         && memory::failures() != failures
     {
         result = Err(Failure::out_of_memory());
+    }
+    if result.is_err() && call.error_is_read() {
+        return fairmesh_status::Aliasing;
     }
     let said = match &result {
         Ok(()) => Failure::new(fairmesh_status::Ok, format_args!("")),

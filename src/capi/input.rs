@@ -51,8 +51,8 @@ impl MeshIn {
                 return Err(Failure::new(Status::TooLarge, why));
             }
         }
-        call.input(positions.array.data, positions.array.bytes);
-        call.input(triangles.data, triangles.bytes);
+        call.input(positions.array.memory());
+        call.input(triangles.memory());
         Ok(Self {
             positions,
             triangles,
@@ -113,7 +113,7 @@ impl SelectionIn {
             }
             Kind::FreeVertices | Kind::Faces => entries(&view, 4, argument)?,
         };
-        call.input(array.data, array.bytes);
+        call.input(array.memory());
         Ok(Self { kind, array })
     }
 
@@ -187,7 +187,7 @@ pub(crate) fn list_in(
     call: &mut Call,
 ) -> CallResult<Array> {
     let array = indices_in(&call.read(view, argument)?, 1, argument.start())?;
-    call.input(array.data, array.bytes);
+    call.input(array.memory());
     Ok(array)
 }
 
@@ -218,8 +218,8 @@ impl<const N: usize> Given<N> {
         call: &mut Call,
     ) -> CallResult<Self> {
         check_count(values.array.count, wanted, count)?;
-        call.input(values.array.data, values.array.bytes);
-        call.input(vertices.data, vertices.bytes);
+        call.input(values.array.memory());
+        call.input(vertices.memory());
         Ok(Self { values, vertices })
     }
 

@@ -33,6 +33,7 @@ mod live;
 mod loop_choice;
 mod memory;
 mod memory_bounds;
+mod memory_use;
 #[rustfmt::skip]
 mod numbers;
 #[rustfmt::skip]
@@ -49,6 +50,7 @@ mod report;
 #[cfg(feature = "hooks")]
 mod reserve_hooks;
 mod results;
+mod settings;
 mod solvers;
 mod status;
 mod statuses;
@@ -79,6 +81,7 @@ pub use reading::*;
 pub use refill::fairmesh_refill;
 pub use region::fairmesh_select_region;
 pub use region::{fairmesh_combine, fairmesh_region_kind, fairmesh_region_step, fairmesh_seed_kind};
+pub use settings::fairmesh_setting;
 pub use status::{FAIRMESH_NO_ELEMENT, fairmesh_error};
 pub use steps::*;
 pub use texts::*;

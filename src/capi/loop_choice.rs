@@ -90,8 +90,8 @@ impl JoinIn {
         }
         let loops = indices_in(&loops, 1, field!(base, fairmesh_join.loops))?;
         let starts = indices_in(&starts, 1, place)?;
-        call.input(loops.data, loops.bytes);
-        call.input(starts.data, starts.bytes);
+        call.input(loops.memory());
+        call.input(starts.memory());
         Ok(Self {
             kind,
             loops,
@@ -141,7 +141,7 @@ impl FilterIn {
         call: &mut Call,
     ) -> CallResult<Self> {
         let components = indices_in(&view.components, 1, field!(base, fairmesh_loop_filter.components))?;
-        call.input(components.data, components.bytes);
+        call.input(components.memory());
         let bound = |value: f64| (value != 0.0).then_some(value);
         let filter = LoopFilter {
             max_edges: (max_edges != u64::MAX).then(|| count(max_edges)),

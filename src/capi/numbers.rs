@@ -362,30 +362,6 @@ pub enum fairmesh_discretization {
     Paper = 1,
 }
 
-/// How the equations are solved. Numbers are never reused.
-#[repr(u32)]
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[allow(dead_code, reason = "numbers for C")]
-pub enum fairmesh_solver_kind {
-    /// Quasi-Newton steps on both equations together.
-    Fast = 0,
-    /// The paper's own scheme: slow, a yardstick; not for fairing in steps.
-    Paper = 1,
-}
-
-/// How the paper's scheme estimates the mean curvature before the vertices are updated. Numbers are never reused.
-#[repr(u32)]
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[allow(dead_code, reason = "numbers for C")]
-pub enum fairmesh_estimate {
-    /// By turns one Gauss-Seidel iteration and some of conjugate gradients.
-    Alternating = 0,
-    /// Gauss-Seidel iterations.
-    GaussSeidel = 1,
-    /// Conjugate gradient iterations.
-    ConjugateGradients = 2,
-}
-
 /// Whether a surface is checked for triangles that intersect each other or the rest of the mesh. Numbers are never reused.
 #[repr(u32)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

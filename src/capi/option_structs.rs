@@ -10,7 +10,7 @@ use super::types::*;
 use super::views::{Argument, Array, FieldPath, field, field_named, indices_in};
 use fairmesh::{
     BridgeOptions, Discretization, FillOptions, InnerFairness, InteriorNormals, Intersections, OnFailure, Options, OutputPrecision,
-    PaperOptions, RemeshOptions, Rim,
+    RemeshOptions, Rim,
 };
 
 /// What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.
@@ -25,18 +25,14 @@ pub struct fairmesh_options {
     pub inner_fairness: u32,
     /// A `fairmesh_discretization`: how normals and mean curvature are discretized. Default: second order.
     pub discretization: u32,
-    /// A `fairmesh_solver_kind`: how the equations are solved. Default: fast.
-    pub solver: u32,
     /// A `fairmesh_output_precision`: the precision of what the result will be written in; moved positions are rounded to it, and the report is of the rounded surface. Default: double.
     pub output_precision: u32,
     /// Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same bits.
     pub threads: u32,
     /// A `fairmesh_intersections`: whether the final surface is checked for self-intersections. Default: it is; that takes about a tenth of the run, at most a fifth.
     pub intersections: u32,
-    /// A `fairmesh_estimate`: how the scheme estimates `H` (paper 7.1). For the solver `paper` only, as all that follow. Default: alternating, with 10 conjugate gradient iterations.
-    pub paper_estimate: u32,
-    /// Iterations of the estimate. Default 10. At least 1.
-    pub paper_estimate_iterations: u32,
+    /// Zero.
+    pub reserved: u32,
     /// Normals at the boundary vertices. Default: fitted to the surroundings.
     pub boundary_normals: fairmesh_boundary_normals,
     /// How far the surface continues the mean curvature of its surroundings: from 0 (default: tangent planes alone, G1) to 1 (curvature, too, G2), part of the way between those surfaces, where `Delta_B^2 H = 0`. Only as far as the surroundings are smooth enough to tell their curvature; the report says how far. For the fast solver.
@@ -51,18 +47,6 @@ pub struct fairmesh_options {
     pub tolerance: f64,
     /// At most this many nonlinear iterations for each component of the region. Default 500. At least 1.
     pub max_iterations: u64,
-    /// The part of each normal step that is taken (`s` of paper 7.5); the tangential step is taken whole. Default 0.9. Greater than 0, at most 1.
-    pub paper_damping: f64,
-    /// Levels of the hierarchy (paper 7.4), the given mesh included; 1: no hierarchy. Default 0: as many as make each level about four times as large as the one before.
-    pub paper_levels: u64,
-    /// Vertices of the base mesh, boundary included. Default 0: two and a half times the boundary. The base has more where no further collapse is allowed.
-    pub paper_base: u64,
-    /// Stop when the harmonic defect (`defect` of the report) is at most this. Default 1e-6. Greater than 0.
-    pub paper_defect: f64,
-    /// And when `max |Delta_B H|` times the cube of the region's diagonal is at most this; below what the rounding of the positions makes of it, that counts, and the outcome says so. Default: infinite. Greater than 0.
-    pub paper_laplacian: f64,
-    /// At most this many updates of the mesh on all levels together. Default 20000. At least 1.
-    pub paper_max_updates: u64,
     /// Called with the progress; may be NULL, the default.
     pub progress: fairmesh_progress_fn,
     /// Handed to `progress`.
@@ -77,12 +61,10 @@ impl fairmesh_options {
             interior_normals: fairmesh_interior_normals::Smooth as u32,
             inner_fairness: fairmesh_inner_fairness::Uniform as u32,
             discretization: fairmesh_discretization::SecondOrder as u32,
-            solver: fairmesh_solver_kind::Fast as u32,
             output_precision: fairmesh_output_precision::Double as u32,
             threads: 0,
             intersections: fairmesh_intersections::Check as u32,
-            paper_estimate: fairmesh_estimate::Alternating as u32,
-            paper_estimate_iterations: 10,
+            reserved: 0,
             boundary_normals: fairmesh_boundary_normals::default(),
             continuity: 0.0,
             loop_continuity: fairmesh_loop_continuity::default(),
@@ -90,12 +72,6 @@ impl fairmesh_options {
             target: fairmesh_target::default(),
             tolerance: 1e-8,
             max_iterations: 500,
-            paper_damping: 0.9,
-            paper_levels: 0,
-            paper_base: 0,
-            paper_defect: 1e-6,
-            paper_laplacian: f64::INFINITY,
-            paper_max_updates: 20000,
             progress: None,
             user_data: core::ptr::null_mut(),
         }
@@ -103,7 +79,7 @@ impl fairmesh_options {
 
     /// Where an option is in this argument.
     pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
-        field_named!(argument, option, Self: interior_normals inner_fairness discretization solver output_precision threads intersections paper_estimate paper_estimate_iterations boundary_normals continuity loop_continuity boundary_curvature target tolerance max_iterations paper_damping paper_levels paper_base paper_defect paper_laplacian paper_max_updates progress user_data)
+        field_named!(argument, option, Self: interior_normals inner_fairness discretization output_precision threads intersections boundary_normals continuity loop_continuity boundary_curvature target tolerance max_iterations progress user_data)
     }
 
     /// What needs no arrays and has no values of its own; all else as it is by default.
@@ -119,19 +95,6 @@ impl fairmesh_options {
             threads: self.threads as usize,
             intersections: chosen(Intersections::from_number(self.intersections), self.intersections, "fairmesh_intersections", field!(argument, Self.intersections))?,
             ..Options::default()
-        })
-    }
-
-    /// What needs no arrays and has no values of its own; all else as it is by default.
-    pub(crate) fn read_paper_options(&self, _: Argument) -> CallResult<PaperOptions> {
-        Ok(PaperOptions {
-            damping: self.paper_damping,
-            levels: count(self.paper_levels),
-            base: count(self.paper_base),
-            defect: self.paper_defect,
-            laplacian: self.paper_laplacian,
-            max_updates: count(self.paper_max_updates),
-            ..PaperOptions::default()
         })
     }
 }

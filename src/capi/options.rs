@@ -6,11 +6,11 @@ use super::input::{CurvatureIn, LoopsIn, MeshIn, NormalsIn};
 use super::option_structs::fairmesh_options;
 use super::status::{CallResult, Failure};
 use super::types::*;
-use super::views::{Argument, Call, FieldPath, check_reserved, field, refuse};
-use fairmesh::{Error, Estimate, Options, PaperOptions, SolverKind, Target};
+use super::views::{Argument, Call, FieldPath, check_reserved, field};
+use fairmesh::{Error, Options, Target};
 
 /// Where the options are that the library's errors name.
-fn place_of(argument: Argument, option: &str) -> Option<FieldPath> {
+pub(crate) fn place_of(argument: Argument, option: &str) -> Option<FieldPath> {
     let place = fairmesh_options::place(argument, option)?;
     Some(match option {
         "target" => field!(place, fairmesh_target.constant),
@@ -73,16 +73,6 @@ impl OptionsIn {
         self.options.threads
     }
 
-    /// For `fairmesh_solver_new`.
-    pub(crate) fn check_fast(&self, argument: Argument) -> CallResult {
-        if self.options.solver == SolverKind::Fast {
-            return Ok(());
-        }
-        Err(
-            refuse!(field!(argument, fairmesh_options.solver) => BadOption, "only the fast solver runs in steps"),
-        )
-    }
-
     /// Whether curvature is to be continued.
     pub(crate) fn asks_continuity(&self) -> bool {
         self.options.continuity > 0.0 || self.loops.are_given()
@@ -104,7 +94,6 @@ impl OptionsIn {
 fn read_options(view: &fairmesh_options, argument: Argument) -> CallResult<Options> {
     Ok(Options {
         target: target(&view.target, field!(argument, fairmesh_options.target))?,
-        solver: solver(view, argument)?,
         ..view.read_options(argument)?
     })
 }
@@ -121,37 +110,5 @@ pub(crate) fn target(view: &fairmesh_target, base: FieldPath) -> CallResult<Targ
         view.kind,
         "fairmesh_target_kind",
         field!(base, fairmesh_target.kind),
-    )
-}
-
-fn solver(view: &fairmesh_options, argument: Argument) -> CallResult<SolverKind> {
-    let kind = choose(
-        [SolverKind::Fast, SolverKind::Paper(PaperOptions::default())],
-        |kind| kind.entry().number(),
-        view.solver,
-        "fairmesh_solver_kind",
-        field!(argument, fairmesh_options.solver),
-    )?;
-    match kind {
-        SolverKind::Fast => Ok(SolverKind::Fast),
-        SolverKind::Paper(_) => Ok(SolverKind::Paper(PaperOptions {
-            estimate: estimate(view, argument)?,
-            ..view.read_paper_options(argument)?
-        })),
-    }
-}
-
-fn estimate(view: &fairmesh_options, argument: Argument) -> CallResult<Estimate> {
-    let iterations = view.paper_estimate_iterations as usize;
-    choose(
-        [
-            Estimate::Alternating { iterations },
-            Estimate::GaussSeidel { sweeps: iterations },
-            Estimate::ConjugateGradients { iterations },
-        ],
-        |estimate| estimate.entry().number(),
-        view.paper_estimate,
-        "fairmesh_estimate",
-        field!(argument, fairmesh_options.paper_estimate),
     )
 }

@@ -108,7 +108,7 @@ pub(crate) fn last<const N: usize>(
     argument: Argument,
     call: &mut Call,
 ) -> CallResult<Numbers<N>> {
-    call.output(out.array.data, out.array.bytes, argument)?;
+    call.output(out.array.memory(), argument)?;
     call.end(argument.next())?;
     Ok(out)
 }

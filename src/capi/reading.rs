@@ -3,6 +3,7 @@
 use super::guard::{guarded, point};
 use super::handles;
 use super::memory_bounds;
+use super::memory_use::Bytes;
 use super::outputs::*;
 use super::report;
 use super::results::{Content, attempt_of, component_of, continuity_of, entry, not_available};
@@ -33,21 +34,6 @@ pub extern "C" fn fairmesh_result_report(
     read_result(result, error, |content, call| {
         put_record(report, Argument(3), call, || {
             Ok(report::report(content.report(index)?))
-        })
-    })
-}
-
-/// A level of the paper's scheme, from the base (0) to the mesh given.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_result_level(
-    result: *const fairmesh_result,
-    index: u64,
-    level: *mut fairmesh_level,
-    error: *mut fairmesh_error,
-) -> fairmesh_status {
-    read_result(result, error, |content, call| {
-        put_record(level, Argument(3), call, || {
-            entry(&content.report(0)?.levels, index, "level").map(report::level)
         })
     })
 }
@@ -203,7 +189,7 @@ pub extern "C" fn fairmesh_result_triangles(
     read_result(result, error, |content, call| {
         let view = call.read(out, Argument(2))?;
         let out = triangles_out(&view, Argument(2))?;
-        call.output(out.data, out.bytes, Argument(2))?;
+        call.output(out.memory(), Argument(2))?;
         call.end(Argument(3))?;
         let triangles = content.triangles.as_deref();
         let triangles = triangles.ok_or_else(|| not_available("triangles: they are those given"))?;
@@ -260,8 +246,8 @@ pub extern "C" fn fairmesh_result_list(
     read_result(result, error, |content, call| {
         let out = list_out(out, capacity)?;
         check_pointer(size, Argument(6))?;
-        call.output(out.data, out.bytes, Argument(4))?;
-        call.output(size, size_of::<usize>(), Argument(6))?;
+        call.output(out.memory(), Argument(4))?;
+        call.output(Bytes::block(size, size_of::<usize>()), Argument(6))?;
         call.end(Argument(7))?;
         let list = content.list(which, index)?;
         let count = list.len();

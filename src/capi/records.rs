@@ -27,8 +27,6 @@ pub struct fairmesh_report {
     pub reached: f64,
     /// Free vertices.
     pub free_vertices: u64,
-    /// Levels of the paper's scheme; 0 for the fast solver.
-    pub level_count: u64,
     /// Free vertices that inner fairness does not spread as asked.
     pub fallback_weights: u64,
     /// Size of the list POOR_TRIANGLES.
@@ -139,7 +137,7 @@ pub struct fairmesh_component {
     pub member_weight: f64,
     /// Its bending energy, the integral of H^2 over its free vertices, without unit.
     pub bending_energy: f64,
-    /// Attempts at its surface, see `fairmesh_result_attempt`, `fairmesh_solver_attempt`; 0 for the paper's scheme.
+    /// Attempts at its surface, see `fairmesh_result_attempt`.
     pub attempt_count: u64,
     /// Boundary loops whose curvature was to be continued, see `fairmesh_result_continuity`, `fairmesh_solver_continuity`; 0 where the
     /// options' `continuity` is 0, no loop has surroundings and vertices enough, or no surface was found to begin with.
@@ -195,24 +193,6 @@ pub struct fairmesh_continuity {
     pub curvature: f64,
     /// How uncertain that is, root mean square. Where it is no smaller than `jump_before`, there is nothing to be continued.
     pub uncertainty: f64,
-}
-
-/// What was done on one level of the paper's scheme. Set `struct_size` before the call.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct fairmesh_level {
-    /// `sizeof(fairmesh_level)`.
-    pub struct_size: u32,
-    /// Zero.
-    pub reserved: u32,
-    /// Vertices of the region: free and boundary.
-    pub vertices: u64,
-    /// Triangles of the region.
-    pub triangles: u64,
-    /// Updates of the mesh.
-    pub updates: u64,
-    /// The defect at the end.
-    pub defect: f64,
 }
 
 /// What a result is of.
@@ -352,6 +332,18 @@ pub enum fairmesh_scalars {
     MeanCurvature = 0,
     /// Gaussian curvature, in 1 / length^2. NaN where no vertex is free.
     GaussianCurvature = 1,
+}
+
+/// What `fairmesh_describe` tells of a number.
+#[repr(u32)]
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum fairmesh_text {
+    /// What it is called, such as "poor_triangles".
+    Name = 0,
+    /// What it means.
+    Meaning = 1,
+    /// What can be done about it; empty if there is nothing to do.
+    Remedy = 2,
 }
 
 /// What was taken for a bump or dent. Curvatures in 1 / length. Set `struct_size` before the call.

@@ -121,7 +121,7 @@ pub extern "C" fn fairmesh_select_region(
         let mut checked = try_with_capacity(step_count)?;
         for k in 0..step_count {
             let step = StepIn::new(read(steps.wrapping_add(k)), k)?;
-            call.late_input(step.list.data, step.list.bytes)?;
+            call.late_input(step.list.memory())?;
             checked.push(step);
         }
         let (positions, triangles) = mesh.read()?;

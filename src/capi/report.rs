@@ -2,7 +2,7 @@
 
 use super::status::{FAIRMESH_NO_ELEMENT, Failure, Text, fairmesh_status};
 use super::types::*;
-use fairmesh::{Attempt, ComponentReport, CurvatureContinuity, LevelReport};
+use fairmesh::{Attempt, ComponentReport, CurvatureContinuity};
 use fairmesh::{BoundaryLoop, FillOutcome, FlatReason, LoopKind, LoopReport, OpenReason};
 use fairmesh::{Bridged, JoinReason, JoinSuggestion};
 use fairmesh::{Bump, Outcome, Report, Rim, Roughness};
@@ -21,7 +21,6 @@ pub(crate) fn report(of: &Report) -> fairmesh_report {
         diagonal: of.diagonal,
         reached: reached(&of.outcome),
         free_vertices: of.free_vertices as u64,
-        level_count: of.levels.len() as u64,
         fallback_weights: of.fallback_weights as u64,
         poor_triangle_count: poor(of).len() as u64,
         flipped_count: quality.flipped.len() as u64,
@@ -155,18 +154,6 @@ fn loose_reason(of: &Outcome) -> u32 {
     match of {
         Outcome::ConvergedLoosely { reason } => reason.entry().number(),
         _ => fairmesh_loose_reason::None as u32,
-    }
-}
-
-/// One level of the paper's scheme.
-pub(crate) fn level(of: &LevelReport) -> fairmesh_level {
-    fairmesh_level {
-        struct_size: size_of::<fairmesh_level>() as u32,
-        reserved: 0,
-        vertices: of.vertices as u64,
-        triangles: of.triangles as u64,
-        updates: of.updates as u64,
-        defect: of.defect,
     }
 }
 

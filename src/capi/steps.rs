@@ -2,15 +2,15 @@
 
 use std::sync::Arc;
 
-use super::choices::count;
+use super::choices::{choice, count};
 use super::guard::guarded;
-use super::input::{CurvatureIn, LoopsIn, MeshIn, NormalsIn, SelectionIn};
+use super::input::{MeshIn, SelectionIn};
 use super::memory_bounds;
 use super::option_structs::fairmesh_options;
-use super::options::{OptionsIn, refused, target};
+use super::options::{OptionsIn, place_of, refused};
 use super::outputs::*;
 use super::report;
-use super::results::{attempt_of, component_of, continuity_of};
+use super::settings::{Change, Setting};
 use super::solvers::{HeldSolver, Shared, free, with_solver};
 use super::status::*;
 use super::types::*;
@@ -32,7 +32,6 @@ pub extern "C" fn fairmesh_solver_new(
         let mesh = MeshIn::new(mesh, Argument(1), call)?;
         let selection = SelectionIn::new(selection, Argument(2), &mesh, call)?;
         let asked = OptionsIn::new(options, Argument(3), &mesh, call)?;
-        asked.check_fast(Argument(3))?;
         check_slot(solver, Argument(4), call)?;
         call.end(Argument(5))?;
 
@@ -76,73 +75,30 @@ pub extern "C" fn fairmesh_solver_run(
     })
 }
 
-/// Asks for other boundary normals from now on. The next run starts at the surface at hand, with the matrices at hand.
+/// Asks for another value of one option from now on: `setting` is a `fairmesh_setting`, and nothing else of `options` is looked at. NULL: the
+/// default. The next run starts at the surface at hand, with the matrices at hand.
 #[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_solver_set_boundary_normals(
+pub extern "C" fn fairmesh_solver_set(
     solver: *mut fairmesh_solver,
-    normals: *const fairmesh_boundary_normals,
+    setting: u32,
+    options: *const fairmesh_options,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     with_solver(solver, error, |solver, call| {
-        let (vertices, place) = (solver.vertices, Argument(2).start());
-        let asked = NormalsIn::new(&call.read(normals, Argument(2))?, place, vertices, call)?;
-        call.end(Argument(3))?;
-        let asked = asked.read(vertices)?;
-        solver.work(|solver, _| Ok(solver.set_boundary_normals(asked)?))
-    })
-}
-
-/// Asks for another target from now on. The next run starts at the surface at hand, with the matrices at hand.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_solver_set_target(
-    solver: *mut fairmesh_solver,
-    new_target: *const fairmesh_target,
-    error: *mut fairmesh_error,
-) -> fairmesh_status {
-    with_solver(solver, error, |solver, call| {
-        let asked = target(&call.read(new_target, Argument(2))?, Argument(2).start())?;
-        call.end(Argument(3))?;
-        let refused = |error| {
-            refused(error, Argument(2), |argument, _| {
-                Some(field!(argument, fairmesh_target.constant))
-            })
-        };
-        solver.work(|solver, _| solver.set_target(asked).map_err(refused))
-    })
-}
-
-/// Asks for another continuity of curvature from now on, and for that of single boundary loops; `of_loops` may be NULL: all are alike. The
-/// next run starts at the surface at hand, with the matrices at hand.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_solver_set_continuity(
-    solver: *mut fairmesh_solver,
-    continuity: f64,
-    of_loops: *const fairmesh_loop_continuity,
-    error: *mut fairmesh_error,
-) -> fairmesh_status {
-    with_solver(solver, error, |solver, call| {
-        let of_loops = call.read_or_default(of_loops, Argument(3))?;
-        let of_each = LoopsIn::new(&of_loops, Argument(3).start(), call)?;
+        let setting = choice(setting, Argument(2).itself())?;
+        let view = call.read_options(options, Argument(3), fairmesh_options::standard)?;
+        let asked = Setting::new(setting, &view, solver.vertices, call)?;
         call.end(Argument(4))?;
-        let of_each = of_each.read(solver.vertices)?;
-        let refused = |error| refused(error, Argument(2), |argument, _| Some(argument.itself()));
-        solver.work(|solver, _| solver.set_continuity(continuity, &of_each).map_err(refused))
-    })
-}
-
-/// Asks for the continuation of another curvature from now on. The next run starts at the surface at hand, with the matrices at hand.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_solver_set_boundary_curvature(
-    solver: *mut fairmesh_solver,
-    curvature: *const fairmesh_boundary_curvature,
-    error: *mut fairmesh_error,
-) -> fairmesh_status {
-    with_solver(solver, error, |solver, call| {
-        let (vertices, place) = (solver.vertices, Argument(2).start());
-        let asked = CurvatureIn::new(&call.read(curvature, Argument(2))?, place, vertices, call)?;
-        call.end(Argument(3))?;
-        let asked = asked.read(vertices)?;
-        solver.work(|solver, _| Ok(solver.set_boundary_curvature(asked)?))
+        let asked = asked.read(&view, solver.vertices)?;
+        solver.work(|solver, _| {
+            match asked {
+                Change::Normals(normals) => solver.set_boundary_normals(normals),
+                Change::Continuity(continuity, of_loops) => solver.set_continuity(continuity, &of_loops),
+                Change::Curvature(curvature) => solver.set_boundary_curvature(curvature),
+                Change::Target(target) => solver.set_target(target),
+            }
+            .map_err(|error| refused(error, Argument(3), place_of))
+        })
     })
 }
 
@@ -160,82 +116,8 @@ pub extern "C" fn fairmesh_solver_positions(
     })
 }
 
-/// The mean curvature of the surface as it stands, one number per vertex; NaN where no vertex is free.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_solver_mean_curvature(
-    solver: *const fairmesh_solver,
-    out: *const fairmesh_scalars_out,
-    error: *mut fairmesh_error,
-) -> fairmesh_status {
-    with_solver(solver, error, |solver, call| {
-        let out = Numbers::scalars_out(&call.read(out, Argument(2))?, Argument(2).start())?;
-        let out = last(out, Argument(2), call)?;
-        let curvature = &solver.solver.solution().mean_curvature;
-        put_scalars(&out, curvature, solver.vertices, Argument(2))
-    })
-}
-
-/// The report of the last run; before the first one, of the input.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_solver_report(
-    solver: *const fairmesh_solver,
-    report: *mut fairmesh_report,
-    error: *mut fairmesh_error,
-) -> fairmesh_status {
-    with_solver(solver, error, |solver, call| {
-        let of = &solver.solver.solution().report;
-        put_record(report, Argument(2), call, || Ok(report::report(of)))
-    })
-}
-
-/// One component in that report, by its number: they are sorted by their smallest free vertices.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_solver_component(
-    solver: *const fairmesh_solver,
-    number: u64,
-    component: *mut fairmesh_component,
-    error: *mut fairmesh_error,
-) -> fairmesh_status {
-    with_solver(solver, error, |solver, call| {
-        let of = &solver.solver.solution().report;
-        put_record(component, Argument(3), call, || component_of(of, number))
-    })
-}
-
-/// One attempt at the surface of a component in that report, by its number, in the order in which they were made.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_solver_attempt(
-    solver: *const fairmesh_solver,
-    component: u64,
-    number: u64,
-    attempt: *mut fairmesh_attempt,
-    error: *mut fairmesh_error,
-) -> fairmesh_status {
-    with_solver(solver, error, |solver, call| {
-        let of = &solver.solver.solution().report;
-        put_record(attempt, Argument(4), call, || attempt_of(of, component, number))
-    })
-}
-
-/// How far the surface continues the curvature of its surroundings along one boundary loop of a component in that report, by its
-/// number.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_solver_continuity(
-    solver: *const fairmesh_solver,
-    component: u64,
-    number: u64,
-    continuity: *mut fairmesh_continuity,
-    error: *mut fairmesh_error,
-) -> fairmesh_status {
-    with_solver(solver, error, |solver, call| {
-        let of = &solver.solver.solution().report;
-        put_record(continuity, Argument(4), call, || {
-            continuity_of(of, component, number)
-        })
-    })
-}
-
-/// A copy of everything that is known of the surface as it stands: curvatures, lists, boundary normals. `result` gets a
+/// A copy of everything that is known of the surface as it stands: its report, curvatures, lists, boundary normals. Before the first run the
+/// report is of the input. `result` gets a
 /// handle of its own; free it.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_solver_result(

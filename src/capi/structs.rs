@@ -2,6 +2,7 @@
 
 use core::mem::{MaybeUninit, size_of};
 
+use super::memory_use::Bytes;
 use super::status::{
     CallResult, FAIRMESH_NO_ELEMENT, Failure, fairmesh_element, fairmesh_error, fairmesh_status as Status,
 };
@@ -147,8 +148,9 @@ pub(crate) fn check_pointer<T>(pointer: *const T, argument: Argument) -> CallRes
     Ok(())
 }
 
-/// Larger than any version of a struct will be.
-const LARGEST: usize = 1 << 16;
+/// In sizes of the struct that this library knows: a newer one is smaller than so many. A size beyond was not set, and what lies behind the
+/// struct is not the struct's. At half, none could grow; at double, less is caught.
+const GROWTH: usize = 2;
 
 fn size_of_struct<T: Versioned>(pointer: *const T, argument: Argument) -> CallResult<usize> {
     check_pointer(pointer, argument)?;
@@ -158,7 +160,7 @@ fn size_of_struct<T: Versioned>(pointer: *const T, argument: Argument) -> CallRe
 }
 
 pub(crate) fn check_size<T: Versioned>(size: usize, place: FieldPath) -> CallResult<usize> {
-    if size < T::FIRST || size > LARGEST || !size.is_multiple_of(size_of::<usize>()) {
+    if size < T::FIRST || size > GROWTH * size_of::<T>() || !size.is_multiple_of(size_of::<usize>()) {
         let (first, known) = (T::FIRST, size_of::<T>());
         return Err(
             refuse!(place => BadStructSize, "struct_size is {size}; this library knows {first} to {known}"),
@@ -194,7 +196,7 @@ pub(crate) struct StructOut<T> {
 impl<T: Versioned> StructOut<T> {
     pub(crate) fn new(pointer: *mut T, argument: Argument, call: &mut Call) -> CallResult<Self> {
         let size = size_of_struct(pointer, argument)?;
-        call.output(pointer, size, argument)?;
+        call.output(Bytes::block(pointer, size), argument)?;
         Ok(Self { pointer, size })
     }
 
@@ -229,7 +231,7 @@ pub(crate) fn init_struct<T: Versioned>(pointer: *mut T, size: usize, value: &T)
 /// Where a pointer to a handle goes.
 pub(crate) fn check_slot<T>(slot: *mut *mut T, argument: Argument, call: &mut Call) -> CallResult {
     check_pointer(slot, argument)?;
-    call.output(slot, size_of::<*mut T>(), argument)
+    call.output(Bytes::block(slot, size_of::<*mut T>()), argument)
 }
 
 /// No call reads more arrays and structs than this before it knows its outputs: `fairmesh_bridge` reads 21.
@@ -238,8 +240,7 @@ const INPUTS: usize = 21;
 /// What a call writes.
 #[derive(Clone, Copy)]
 struct Output {
-    start: usize,
-    end: usize,
+    bytes: Bytes,
     argument: Argument,
     /// The error detail, in which nothing can be said then.
     silent: bool,
@@ -247,67 +248,62 @@ struct Output {
 
 /// What a call reads and writes: outputs overlap nothing.
 pub(crate) struct Call {
-    inputs: [(usize, usize); INPUTS],
+    inputs: [Bytes; INPUTS],
     input_count: usize,
     outputs: [Option<Output>; 6],
-    error: *mut fairmesh_error,
+    error: Bytes,
 }
 
 impl Call {
     pub(crate) fn new(error: *mut fairmesh_error) -> Self {
+        let bytes = size_of::<fairmesh_error>() * usize::from(!error.is_null());
         Self {
-            inputs: [(0, 0); INPUTS],
+            inputs: [Bytes::default(); INPUTS],
             input_count: 0,
             outputs: [None; 6],
-            error,
+            error: Bytes::block(error, bytes),
         }
     }
 
-    pub(crate) fn input<T>(&mut self, pointer: *const T, bytes: usize) {
-        if bytes > 0 {
-            self.inputs[self.input_count] = (pointer as usize, pointer as usize + bytes);
+    pub(crate) fn input(&mut self, bytes: Bytes) {
+        if !bytes.is_empty() {
+            self.inputs[self.input_count] = bytes;
             self.input_count += 1;
         }
     }
 
     /// An input that is found when all outputs are known: there may be any number of them.
-    pub(crate) fn late_input<T>(&self, pointer: *const T, bytes: usize) -> CallResult {
-        let (start, end) = (pointer as usize, pointer as usize + bytes);
+    pub(crate) fn late_input(&self, bytes: Bytes) -> CallResult {
         let mut outputs = self.outputs.iter().flatten();
         outputs
-            .find(|output| bytes > 0 && start < output.end && output.start < end)
+            .find(|output| !bytes.is_empty() && output.bytes.overlaps(&bytes))
             .map_or(Ok(()), |output| Err(output.overlaps()))
     }
 
     /// Inputs have to be told before.
-    pub(crate) fn output<T>(&mut self, pointer: *mut T, bytes: usize, argument: Argument) -> CallResult {
-        self.add_output(pointer as usize, bytes, argument, false)
+    pub(crate) fn output(&mut self, bytes: Bytes, argument: Argument) -> CallResult {
+        self.add_output(Output {
+            bytes,
+            argument,
+            silent: false,
+        })
     }
 
     /// All arguments but the last one, the error detail, are known.
     pub(crate) fn end(&mut self, argument: Argument) -> CallResult {
-        let bytes = size_of::<fairmesh_error>() * usize::from(!self.error.is_null());
-        self.add_output(self.error as usize, bytes, argument, true)
+        self.add_output(Output {
+            bytes: self.error,
+            argument,
+            silent: true,
+        })
     }
 
-    fn add_output(&mut self, start: usize, bytes: usize, argument: Argument, silent: bool) -> CallResult {
-        if bytes == 0 {
+    fn add_output(&mut self, output: Output) -> CallResult {
+        if output.bytes.is_empty() {
             return Ok(());
         }
-        let end = start + bytes;
-        let output = Output {
-            start,
-            end,
-            argument,
-            silent,
-        };
-        let inputs = self.inputs[..self.input_count].iter().copied();
-        let outputs = self
-            .outputs
-            .iter()
-            .flatten()
-            .map(|other| (other.start, other.end));
-        if inputs.chain(outputs).any(|(a, b)| start < b && a < end) {
+        let others = self.outputs.iter().flatten();
+        if self.is_read(&output.bytes) || others.clone().any(|other| other.bytes.overlaps(&output.bytes)) {
             return Err(output.overlaps());
         }
         if let Some(free) = self.outputs.iter_mut().find(|output| output.is_none()) {
@@ -316,23 +312,22 @@ impl Call {
         Ok(())
     }
 
+    /// Whether the error detail lies in what is known to be read, so that nothing may be written there.
+    pub(crate) fn error_is_read(&self) -> bool {
+        !self.error.is_empty() && self.is_read(&self.error)
+    }
+
+    fn is_read(&self, bytes: &Bytes) -> bool {
+        self.inputs[..self.input_count]
+            .iter()
+            .any(|input| input.overlaps(bytes))
+    }
+
     /// Reads a struct that never grows.
     pub(crate) fn read<T: Copy>(&mut self, pointer: *const T, argument: Argument) -> CallResult<T> {
         check_pointer(pointer, argument)?;
-        self.input(pointer, size_of::<T>());
+        self.input(Bytes::block(pointer, size_of::<T>()));
         Ok(read(pointer))
-    }
-
-    /// Reads one that may be NULL.
-    pub(crate) fn read_or_default<T: Copy + Default>(
-        &mut self,
-        pointer: *const T,
-        argument: Argument,
-    ) -> CallResult<T> {
-        if pointer.is_null() {
-            return Ok(T::default());
-        }
-        self.read(pointer, argument)
     }
 
     /// Reads a struct of any version. Fields that it does not have yet are zero; fields that this library does not know yet
@@ -343,7 +338,7 @@ impl Call {
         argument: Argument,
     ) -> CallResult<T> {
         let size = size_of_struct(pointer, argument)?;
-        self.input(pointer, size);
+        self.input(Bytes::block(pointer, size));
         read_struct(pointer, size, argument)
     }
 

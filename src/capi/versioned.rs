@@ -21,9 +21,8 @@ const WORD: usize = size_of::<usize>();
 versioned! {
     fairmesh_mesh 24 + 6 * WORD,
     fairmesh_selection 8 + 3 * WORD,
-    fairmesh_options 136 + 8 * WORD,
-    fairmesh_report 296,
-    fairmesh_level 40,
+    fairmesh_options 112 + 18 * WORD,
+    fairmesh_report 288,
     fairmesh_component 160,
     fairmesh_attempt 80,
     fairmesh_continuity 80,

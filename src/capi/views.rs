@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::ffi::c_void;
 
 use super::memory;
+use super::memory_use::Bytes;
 use super::status::{CallResult, Failure, fairmesh_element, fairmesh_status as Status};
 pub(crate) use super::structs::*;
 use super::types::*;
@@ -14,6 +15,7 @@ pub(crate) struct Array {
     pub data: *mut u8,
     pub count: usize,
     pub stride: usize,
+    row: usize,
     /// Bytes from the first to behind the last.
     pub bytes: usize,
 }
@@ -53,6 +55,7 @@ fn array(
         data: data as *mut u8,
         count,
         stride,
+        row,
         bytes,
     })
 }
@@ -209,6 +212,11 @@ pub(crate) fn indices_in(view: &fairmesh_indices, width: usize, base: FieldPath)
 }
 
 impl Array {
+    /// Where it is.
+    pub(crate) fn memory(&self) -> Bytes {
+        Bytes::rows(self.data, self.bytes, self.row, self.stride)
+    }
+
     /// Row `k` of `N` indices.
     pub(crate) fn index<const N: usize>(&self, k: usize) -> [u32; N] {
         debug_assert!(k < self.count);
@@ -296,7 +304,7 @@ pub(crate) fn check_structs<T>(
             refuse!(argument.next().itself() => CountOverflow, "{count} {what} are more than memory has room for"),
         );
     };
-    call.input(structs, bytes);
+    call.input(Bytes::block(structs, bytes));
     Ok(())
 }
 

@@ -1,4 +1,4 @@
-//! What `src/capi` takes of the library's tables: `numbers.rs`, the enumerations, and `texts.rs`, what tells their texts; and the page of
+//! What `src/capi` takes of the library's tables: `numbers.rs`, the enumerations, and `texts.rs`, their texts; and the page of
 //! outcomes.
 
 use std::fmt::Write;
@@ -12,11 +12,14 @@ const NUMBERS: &str = "\
 const TEXTS: &str = "\
 //! What the enumerations of the C interface mean. Made of the library's tables by src/declarations: do not edit.
 
-use core::ffi::c_char;
-
-use super::about::told;
 use super::statuses::{NONE, STATUSES};
-use fairmesh::{AttemptEnd, Entry, Error, FillOutcome, FlatReason, LooseReason, OpenReason, Outcome};
+use fairmesh::{AttemptEnd, Entry, Error, FillOutcome, FlatReason, GapKind, LoopKind, LooseReason, OpenReason, Outcome};
+
+/// The enumerations that `fairmesh_describe` knows. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = \"numbers for C\")]
+pub enum fairmesh_answer {
 ";
 
 /// The text of `src/capi/numbers.rs`.
@@ -30,11 +33,23 @@ pub fn numbers() -> String {
 
 /// The text of `src/capi/texts.rs`.
 pub fn texts() -> String {
-    let mut made = TEXTS.to_owned();
-    let tables = tables::all();
-    let told = tables.iter().filter(|table| table.has_texts);
-    told.for_each(|table| functions(&mut made, table));
-    made
+    let all = tables::all();
+    let told = all.iter().filter(|table| table.has_texts);
+    let (mut values, mut texts) = (String::new(), String::new());
+    for (number, table) in told.enumerate() {
+        let short = table.name.trim_start_matches("fairmesh_");
+        let parts = table.parts.replace("statuses::", "");
+        let _ = writeln!(
+            values,
+            "    /// A `{}`.\n    {} = {number},",
+            table.name,
+            variant(short)
+        );
+        let _ = writeln!(texts, "    &[{parts}],");
+    }
+    format!(
+        "{TEXTS}{values}}}\n\n/// By the numbers of a `fairmesh_answer`.\npub(crate) const ANSWERS: &[&[&[Entry]]] = &[\n{texts}];\n"
+    )
 }
 
 /// The text of `docs/outcomes.md`.
@@ -90,39 +105,4 @@ fn status_from_number(made: &mut String, statuses: &Table) {
         );
     }
     made.push_str("            _ => Self::Internal,\n        }\n    }\n}\n");
-}
-
-/// The three functions of an enumeration.
-fn functions(made: &mut String, table: &Table) {
-    let name = table.name;
-    let short = name.trim_start_matches("fairmesh_");
-    let (parameter, number) = match short {
-        "status" => ("i32", "status.cast_unsigned()".to_owned()),
-        _ => ("u32", short.to_owned()),
-    };
-    let tables = table.parts.replace("statuses::", "");
-    let example = table.entries[1].name();
-    for (what, doc) in [
-        (
-            "name",
-            format!("The name of a `{name}`, such as \"{example}\"; \"unknown\" for other numbers."),
-        ),
-        (
-            "text",
-            format!(
-                "What a `{name}` means: English, begins in lower case, ends without a full stop. Empty for other numbers."
-            ),
-        ),
-        (
-            "remedy",
-            format!(
-                "What can be done about a `{name}`, written like its text; empty if there is nothing to do."
-            ),
-        ),
-    ] {
-        let _ = write!(
-            made,
-            "\n/// {doc} Static; never NULL.\n#[unsafe(no_mangle)]\npub extern \"C\" fn {name}_{what}({short}: {parameter}) -> *const c_char {{\n    told(&[{tables}], {number}, Entry::c_{what})\n}}\n"
-        );
-    }
 }

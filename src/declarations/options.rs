@@ -3,8 +3,7 @@
 use std::fmt::Write;
 
 use fairmesh::{
-    BridgeOptions, Estimate, FillOptions, OptionDefault, OptionEntry, OptionKind, Options, PaperOptions,
-    RemeshOptions, Rim,
+    BridgeOptions, FillOptions, OptionDefault, OptionEntry, OptionKind, Options, RemeshOptions, Rim,
 };
 
 use crate::tables::variant;
@@ -22,7 +21,7 @@ use super::types::*;
 use super::views::{Argument, Array, FieldPath, field, field_named, indices_in};
 use fairmesh::{
     BridgeOptions, Discretization, FillOptions, InnerFairness, InteriorNormals, Intersections, OnFailure, Options, OutputPrecision,
-    PaperOptions, RemeshOptions, Rim,
+    RemeshOptions, Rim,
 };
 ";
 
@@ -36,35 +35,6 @@ pub struct OptionStruct {
     parts: Vec<(&'static str, Vec<OptionEntry>)>,
     /// What C has besides: name, type, text and default.
     besides: Vec<[&'static str; 4]>,
-}
-
-/// What the library has in another form: by values of its own.
-const BY_HAND: [&str; 3] = ["solver", ESTIMATE, ESTIMATE_ITERATIONS];
-const ESTIMATE: &str = "paper_estimate";
-const ESTIMATE_ITERATIONS: &str = "paper_estimate_iterations";
-
-/// The schema of the paper's options, with the iterations of the estimate, which in the library are a part of its value.
-pub fn paper() -> Vec<OptionEntry> {
-    let (Estimate::Alternating { iterations }
-    | Estimate::GaussSeidel { sweeps: iterations }
-    | Estimate::ConjugateGradients { iterations }) = PaperOptions::default().estimate;
-    let mut entries = PaperOptions::schema();
-    let at = entries
-        .iter()
-        .position(|entry| entry.name == ESTIMATE)
-        .expect("an estimate");
-    entries.insert(
-        at + 1,
-        OptionEntry {
-            name: ESTIMATE_ITERATIONS,
-            field: "estimate",
-            text: format!("Iterations of the estimate. Default {iterations}. At least 1."),
-            kind: OptionKind::SmallCount("iterations"),
-            range: "at least 1",
-            default: OptionDefault::Number(iterations as f64),
-        },
-    );
-    entries
 }
 
 /// The list of all: of each struct what it says, its name, the library's structs that it is made of, and what C has besides.
@@ -87,7 +57,7 @@ macro_rules! structs {
 pub fn all() -> [OptionStruct; 4] {
     structs! {
         /// What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.
-        fairmesh_options: Options = Options::schema(), PaperOptions = paper() => {
+        fairmesh_options: Options = Options::schema() => {
             /// Called with the progress; may be NULL, the default.
             progress: fairmesh_progress_fn = None;
             /// Handed to `progress`.
@@ -269,7 +239,6 @@ fn reading(made: &mut String, part: &str, entries: &[OptionEntry]) {
     let lines: Vec<String> = entries.iter().filter_map(|entry| {
         let (name, field) = (entry.name, entry.field);
         let value = match (entry.kind, entry.default) {
-            _ if BY_HAND.contains(&name) => return None,
             (OptionKind::Real(_), OptionDefault::Nothing) => format!("(self.{name} != 0.0).then_some(self.{name})"),
             (OptionKind::Real(_), _) => format!("self.{name}"),
             (OptionKind::Count(_), _) => format!("count(self.{name})"),

@@ -25,6 +25,7 @@ from ctypes import (
     c_char_p,
     c_double,
     c_int32,
+    c_int64,
     c_size_t,
     c_uint32,
     c_uint64,
@@ -61,10 +62,12 @@ pub fn declarations(items: &[Item]) -> String {
 /// The text of `_enums.py`.
 pub fn enumerations() -> String {
     let mut made = ENUMS_HEAD.to_owned();
-    for table in tables::all()
+    let all = tables::all();
+    // What lies between loops is a word in Python.
+    let told = all
         .iter()
-        .filter(|t| t.has_texts || t.name == "fairmesh_loop_kind")
-    {
+        .filter(|t| t.has_texts && t.name != "fairmesh_gap_kind");
+    for table in told {
         let class = class_of(table.name);
         let base = if class == "Status" { "Numbered" } else { "Named" };
         let doc = table.doc.replace("`fairmesh_outcome`", "`Outcome`");
@@ -247,6 +250,7 @@ fn plain(name: &str) -> String {
         "u32" => "c_uint32",
         "i32" | "fairmesh_status" => "c_int32",
         "u64" => "c_uint64",
+        "i64" => "c_int64",
         "usize" => "c_size_t",
         "f64" => "c_double",
         "c_char" => "c_char",

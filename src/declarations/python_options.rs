@@ -6,7 +6,6 @@ use fairmesh::{
     BridgeOptions, FillOptions, OptionDefault, OptionEntry, OptionKind, Options, RemeshOptions, Rim,
 };
 
-use crate::options::paper;
 use crate::tables;
 
 const HEAD: &str = r#""""The options of all functions, with their defaults.
@@ -49,7 +48,7 @@ const FORMS: [[&str; 4]; 6] = forms! {
 
 /// The text of `_schema.py`.
 pub fn options() -> String {
-    let fairing = [fields(&Options::schema()), fields(&paper())].concat();
+    let fairing = fields(&Options::schema());
     let (rows, patches): (Vec<_>, Vec<_>) = fields(&FillOptions::schema())
         .into_iter()
         .partition(|field| matches!(field.kind, OptionKind::Indices(_)));

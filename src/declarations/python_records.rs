@@ -31,12 +31,11 @@ def element_or_none(number: int) -> int | None:
 
 /// A class: its name, its struct, what is said about it if the struct says something else, and its fields: all but those with a minus,
 /// or those that are named, with their names in Python if these are others.
-const CLASSES: [[&str; 4]; 9] = [
+const CLASSES: [[&str; 4]; 8] = [
     ["Report", "report", "", "-component_count"],
     ["Component", "component", "", "-attempt_count -continuity_count"],
     ["Attempt", "attempt", "", ""],
     ["Continuity", "continuity", "", ""],
-    ["Level", "level", "", ""],
     [
         "Loop",
         "loop",
@@ -86,7 +85,7 @@ const REPORT: &str = r#"    components: tuple[Component, ...]
         return self.loose_reason if self.outcome is Outcome.CONVERGED_LOOSELY else self.outcome
 "#;
 const COMPONENT: &str = r#"    attempts: tuple[Attempt, ...]
-    """What was tried, in its order: on the coarse mesh, where the component is large, and then on its own. Empty for the paper's solver."""
+    """What was tried, in its order: on the coarse mesh, where the component is large, and then on its own."""
     continuity: tuple[Continuity, ...]
     """What came of the option ``continuity`` along each boundary loop; empty where it is 0, no loop has surroundings and vertices enough, or no surface was found to begin with."""
 "#;

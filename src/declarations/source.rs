@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// The names of these files, in the order of the header.
-pub const SOURCES: [&str; 21] = [
+pub const SOURCES: [&str; 22] = [
     "numbers",
     "texts",
     "status",
@@ -16,6 +16,7 @@ pub const SOURCES: [&str; 21] = [
     "about",
     "fair",
     "edits",
+    "settings",
     "steps",
     "live",
     "fill",

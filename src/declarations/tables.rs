@@ -1,9 +1,9 @@
 //! All tables of the library, under the names that the C interface gives their enumerations.
 
 use fairmesh::{
-    AttemptEnd, BoundaryNormals, Coincident, Discretization, Entry, Error, Estimate, FillOutcome, FlatReason,
-    GapKind, InnerFairness, InteriorNormals, Intersections, Join, LoopKind, LooseReason, OnFailure,
-    OpenReason, Outcome, OutputPrecision, Place, SolverKind, Target,
+    AttemptEnd, BoundaryNormals, Coincident, Discretization, Entry, Error, FillOutcome, FlatReason, GapKind,
+    InnerFairness, InteriorNormals, Intersections, Join, LoopKind, LooseReason, OnFailure, OpenReason,
+    Outcome, OutputPrecision, Place, Target,
 };
 
 #[path = "../capi/statuses.rs"]
@@ -78,11 +78,11 @@ pub fn all() -> Vec<Table> {
         /// Why a loop was left open (numbers below 32) or a patch is flat.
         fairmesh_fill_reason with texts: &[statuses::NONE], OpenReason::TABLE, FlatReason::TABLE;
         /// What kind of gap a boundary loop is.
-        fairmesh_loop_kind: LoopKind::TABLE;
+        fairmesh_loop_kind with texts: LoopKind::TABLE;
         /// Which loops get one patch together.
         fairmesh_join_kind: Join::TABLE;
         /// What lies between loops that are joined.
-        fairmesh_gap_kind: GapKind::TABLE;
+        fairmesh_gap_kind with texts: GapKind::TABLE;
         /// What a loop gets for which no fair patch is found, or none that does not intersect itself or the mesh.
         fairmesh_on_failure: OnFailure::TABLE;
         /// A part of space.
@@ -101,10 +101,6 @@ pub fn all() -> Vec<Table> {
         fairmesh_output_precision: OutputPrecision::TABLE;
         /// How normals and mean curvature are discretized.
         fairmesh_discretization: Discretization::TABLE;
-        /// How the equations are solved.
-        fairmesh_solver_kind: SolverKind::TABLE;
-        /// How the paper's scheme estimates the mean curvature before the vertices are updated.
-        fairmesh_estimate: Estimate::TABLE;
         /// Whether a surface is checked for triangles that intersect each other or the rest of the mesh.
         fairmesh_intersections: Intersections::TABLE;
     }

@@ -20,12 +20,11 @@ const HEAD: &str = "/**
 ";
 
 /// Structs that programs read, and so have types for.
-const READ: [&str; 14] = [
+const READ: [&str; 13] = [
     "report",
     "component",
     "attempt",
     "continuity",
-    "level",
     "info",
     "loop",
     "joinSuggestion",

@@ -104,7 +104,7 @@ options! {
         /// How far the surface continues the mean curvature of its surroundings: from 0 (default: tangent planes alone, G1) to 1
         /// (curvature, too, G2), part of the way between those surfaces, where `Delta_B^2 H = 0`. Only as far as the surroundings are
         /// smooth enough to tell their curvature; the report says how far. For the fast solver.
-        continuity: f64 = 0.0, real "1" in 0.0..=1.0, "between 0 and 1; 0 for the paper's solver";
+        continuity: f64 = 0.0, real "1" in 0.0..=1.0, "between 0 and 1";
         /// The same for single boundary loops, each named by a vertex on it, in place of `continuity`. Of several numbers for one loop
         /// the last one holds. A loop with 0 has tangent planes alone, and `Delta_B H` is zero along it. Default: none.
         loop_continuity: Vec<(u32, f64)> = Vec::new(), with "fairmesh_loop_continuity";
@@ -117,7 +117,7 @@ options! {
         /// How normals and mean curvature are discretized. Default: second order.
         discretization: Discretization = Discretization::default(), choice "fairmesh_discretization";
         /// How the equations are solved. Default: fast.
-        solver: SolverKind = SolverKind::default(), choice "fairmesh_solver_kind";
+        solver: SolverKind = SolverKind::default(), elsewhere;
         /// Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the component's bounding box) is
         /// below this. Default 1e-8; 1e-6 is enough for interactive use. At least 1e-15, a few roundings, and less than 1. What the mesh
         /// allows may be a hundred times that, which the outcome says.
@@ -165,8 +165,8 @@ impl Options {
     }
 
     fn validate_continuity(&self) -> Result<(), Error> {
-        let range = "between 0 and 1; 0 for the paper's solver";
         let is_fast = self.solver == SolverKind::Fast;
+        let range = ["0 for the paper's solver", "between 0 and 1"][usize::from(is_fast)];
         let check = |name, blend: f64| {
             let is_fine = (0.0..=1.0).contains(&blend) && (is_fast || blend == 0.0);
             Error::check_option(name, blend, is_fine, range)

@@ -66,28 +66,28 @@ static void versions(void) {
     CHECK((version & 255) == FAIRMESH_VERSION_PATCH);
     sprintf(text, "%d.%d.%d", FAIRMESH_VERSION_MAJOR, FAIRMESH_VERSION_MINOR, FAIRMESH_VERSION_PATCH);
     CHECK(strcmp(text, fairmesh_version_string()) == 0);
-    CHECK(strcmp(fairmesh_status_name(FAIRMESH_STATUS_BUSY), "busy") == 0);
-    CHECK(strcmp(fairmesh_status_name(-7), "unknown") == 0);
-    CHECK(strcmp(fairmesh_outcome_name(FAIRMESH_OUTCOME_CONVERGED), "converged") == 0);
-    CHECK(strcmp(fairmesh_outcome_name(999), "unknown") == 0);
-    CHECK(strcmp(fairmesh_outcome_text(FAIRMESH_OUTCOME_CONVERGED), "tolerance met, and the surface is sound") == 0);
-    CHECK(fairmesh_outcome_remedy(FAIRMESH_OUTCOME_CONVERGED)[0] == 0 && fairmesh_outcome_text(999)[0] == 0);
-    CHECK(fairmesh_outcome_remedy(FAIRMESH_OUTCOME_ITERATION_LIMIT)[0] != 0);
-    CHECK(strcmp(fairmesh_status_text(FAIRMESH_STATUS_OK), "done") == 0);
-    CHECK(fairmesh_status_remedy(FAIRMESH_STATUS_NOTHING_FIXED)[0] != 0);
-    CHECK(strcmp(fairmesh_loose_reason_name(FAIRMESH_LOOSE_REASON_BUMP), "bump") == 0);
-    CHECK(fairmesh_loose_reason_text(FAIRMESH_LOOSE_REASON_BUMP)[0] != 0);
-    CHECK(strcmp(fairmesh_loose_reason_remedy(FAIRMESH_LOOSE_REASON_BUMP),
-                 fairmesh_loose_reason_remedy(FAIRMESH_LOOSE_REASON_SUSPICIOUS_NORMALS)) != 0);
-    CHECK(strcmp(fairmesh_fill_outcome_name(FAIRMESH_FILL_OUTCOME_LEFT_OPEN), "left_open") == 0);
-    CHECK(fairmesh_fill_outcome_text(FAIRMESH_FILL_OUTCOME_FAIRED)[0] != 0);
-    CHECK(fairmesh_fill_outcome_remedy(FAIRMESH_FILL_OUTCOME_FAIRED)[0] == 0);
-    CHECK(strcmp(fairmesh_attempt_end_name(FAIRMESH_ATTEMPT_END_UNSOUND), "unsound") == 0);
-    CHECK(fairmesh_attempt_end_text(FAIRMESH_ATTEMPT_END_SOUND)[0] != 0);
-    CHECK(fairmesh_attempt_end_remedy(FAIRMESH_ATTEMPT_END_SOUND)[0] == 0);
-    CHECK(strcmp(fairmesh_fill_reason_name(FAIRMESH_FILL_REASON_UNSOUND), "unsound") == 0);
-    CHECK(fairmesh_fill_reason_text(FAIRMESH_FILL_REASON_NOT_FINITE)[0] != 0);
-    CHECK(fairmesh_fill_reason_remedy(FAIRMESH_FILL_REASON_NOT_FINITE)[0] != 0);
+    CHECK(strcmp(fairmesh_describe(FAIRMESH_ANSWER_STATUS, FAIRMESH_STATUS_BUSY, FAIRMESH_TEXT_NAME), "busy") == 0);
+    CHECK(strcmp(fairmesh_describe(FAIRMESH_ANSWER_STATUS, -7, FAIRMESH_TEXT_NAME), "unknown") == 0);
+    CHECK(strcmp(fairmesh_describe(FAIRMESH_ANSWER_OUTCOME, FAIRMESH_OUTCOME_CONVERGED, FAIRMESH_TEXT_NAME), "converged") == 0);
+    CHECK(strcmp(fairmesh_describe(FAIRMESH_ANSWER_OUTCOME, 999, FAIRMESH_TEXT_NAME), "unknown") == 0);
+    CHECK(strcmp(fairmesh_describe(FAIRMESH_ANSWER_OUTCOME, FAIRMESH_OUTCOME_CONVERGED, FAIRMESH_TEXT_MEANING), "tolerance met, and the surface is sound") == 0);
+    CHECK(fairmesh_describe(FAIRMESH_ANSWER_OUTCOME, FAIRMESH_OUTCOME_CONVERGED, FAIRMESH_TEXT_REMEDY)[0] == 0 && fairmesh_describe(FAIRMESH_ANSWER_OUTCOME, 999, FAIRMESH_TEXT_MEANING)[0] == 0);
+    CHECK(fairmesh_describe(FAIRMESH_ANSWER_OUTCOME, FAIRMESH_OUTCOME_ITERATION_LIMIT, FAIRMESH_TEXT_REMEDY)[0] != 0);
+    CHECK(strcmp(fairmesh_describe(FAIRMESH_ANSWER_STATUS, FAIRMESH_STATUS_OK, FAIRMESH_TEXT_MEANING), "done") == 0);
+    CHECK(fairmesh_describe(FAIRMESH_ANSWER_STATUS, FAIRMESH_STATUS_NOTHING_FIXED, FAIRMESH_TEXT_REMEDY)[0] != 0);
+    CHECK(strcmp(fairmesh_describe(FAIRMESH_ANSWER_LOOSE_REASON, FAIRMESH_LOOSE_REASON_BUMP, FAIRMESH_TEXT_NAME), "bump") == 0);
+    CHECK(fairmesh_describe(FAIRMESH_ANSWER_LOOSE_REASON, FAIRMESH_LOOSE_REASON_BUMP, FAIRMESH_TEXT_MEANING)[0] != 0);
+    CHECK(strcmp(fairmesh_describe(FAIRMESH_ANSWER_LOOSE_REASON, FAIRMESH_LOOSE_REASON_BUMP, FAIRMESH_TEXT_REMEDY),
+                 fairmesh_describe(FAIRMESH_ANSWER_LOOSE_REASON, FAIRMESH_LOOSE_REASON_SUSPICIOUS_NORMALS, FAIRMESH_TEXT_REMEDY)) != 0);
+    CHECK(strcmp(fairmesh_describe(FAIRMESH_ANSWER_FILL_OUTCOME, FAIRMESH_FILL_OUTCOME_LEFT_OPEN, FAIRMESH_TEXT_NAME), "left_open") == 0);
+    CHECK(fairmesh_describe(FAIRMESH_ANSWER_FILL_OUTCOME, FAIRMESH_FILL_OUTCOME_FAIRED, FAIRMESH_TEXT_MEANING)[0] != 0);
+    CHECK(fairmesh_describe(FAIRMESH_ANSWER_FILL_OUTCOME, FAIRMESH_FILL_OUTCOME_FAIRED, FAIRMESH_TEXT_REMEDY)[0] == 0);
+    CHECK(strcmp(fairmesh_describe(FAIRMESH_ANSWER_ATTEMPT_END, FAIRMESH_ATTEMPT_END_UNSOUND, FAIRMESH_TEXT_NAME), "unsound") == 0);
+    CHECK(fairmesh_describe(FAIRMESH_ANSWER_ATTEMPT_END, FAIRMESH_ATTEMPT_END_SOUND, FAIRMESH_TEXT_MEANING)[0] != 0);
+    CHECK(fairmesh_describe(FAIRMESH_ANSWER_ATTEMPT_END, FAIRMESH_ATTEMPT_END_SOUND, FAIRMESH_TEXT_REMEDY)[0] == 0);
+    CHECK(strcmp(fairmesh_describe(FAIRMESH_ANSWER_FILL_REASON, FAIRMESH_FILL_REASON_UNSOUND, FAIRMESH_TEXT_NAME), "unsound") == 0);
+    CHECK(fairmesh_describe(FAIRMESH_ANSWER_FILL_REASON, FAIRMESH_FILL_REASON_NOT_FINITE, FAIRMESH_TEXT_MEANING)[0] != 0);
+    CHECK(fairmesh_describe(FAIRMESH_ANSWER_FILL_REASON, FAIRMESH_FILL_REASON_NOT_FINITE, FAIRMESH_TEXT_REMEDY)[0] != 0);
 }
 
 typedef struct {
@@ -335,23 +335,6 @@ static void cancelled(const Cap *cap) {
     CHECK(report.free_vertices == 13 * 13);
 }
 
-/* The paper's scheme, with its levels. */
-static void papers_scheme(const Cap *cap, double *out) {
-    fairmesh_options options = quick();
-    fairmesh_points_out to = points_out_of(out, cap->vertices);
-    SIZED(fairmesh_report, report);
-    SIZED(fairmesh_level, level);
-    fairmesh_result *result = NULL;
-    options.solver = FAIRMESH_SOLVER_KIND_PAPER;
-    options.paper_defect = 1e-4;
-    OK(fairmesh_fair(&cap->mesh, &cap->selection, &options, &to, &report, &result, &error));
-    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED && report.level_count >= 1);
-    OK(fairmesh_result_level(result, report.level_count - 1, &level, &error));
-    CHECK(level.vertices > report.free_vertices && level.defect <= 1e-4);
-    CHECK(fairmesh_result_level(result, report.level_count, &level, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
-    OK(fairmesh_result_free(result));
-}
-
 /* Two free vertices that nothing connects. */
 static void two_apart(const Cap *cap) {
     const uint32_t two[2] = {2 * 15 + 2, 12 * 15 + 12};
@@ -406,7 +389,6 @@ static void one_shot(void) {
     soup(&made);
     strided_floats(&made);
     cancelled(&made.cap);
-    papers_scheme(&made.cap, made.out);
     two_apart(&made.cap);
     curvature_of_mesh(&made.cap);
     free(made.out);
@@ -456,6 +438,7 @@ static void one_iteration_at_a_time(Stepped *at) {
     double *whole = (double *)must(malloc(bytes)), *h = (double *)must(malloc(cap->vertices * sizeof(double)));
     fairmesh_points_out to = points_out_of(whole, cap->vertices);
     fairmesh_scalars_out numbers = scalars_out_of(h, cap->vertices);
+    fairmesh_result *result = NULL;
     uint64_t runs = 0;
     OK(fairmesh_fair(&cap->mesh, &cap->selection, &options, &to, NULL, NULL, &error));
     OK(fairmesh_solver_new(&cap->mesh, &cap->selection, &options, &at->solver, &error));
@@ -468,7 +451,9 @@ static void one_iteration_at_a_time(Stepped *at) {
     CHECK(at->report.outcome == FAIRMESH_OUTCOME_CONVERGED && runs >= at->report.iterations);
     OK(fairmesh_solver_positions(at->solver, &at->to, &error));
     CHECK(memcmp(at->steps, whole, bytes) == 0);
-    OK(fairmesh_solver_mean_curvature(at->solver, &numbers, &error));
+    OK(fairmesh_solver_result(at->solver, &result, &error));
+    OK(fairmesh_result_scalars(result, FAIRMESH_SCALARS_MEAN_CURVATURE, &numbers, &error));
+    OK(fairmesh_result_free(result));
     for (v = 0; v < cap->vertices; v++) {
         if (cap->free_mask[v]) CHECK(fabs(h[v] + 1.0) < 0.02);
     }
@@ -479,26 +464,25 @@ static void one_iteration_at_a_time(Stepped *at) {
 /* Another curvature inside, and then the normals of the sphere, one vector per vertex. */
 static void another_target_and_normals(Stepped *at) {
     const Cap *cap = &at->cap;
-    ZERO(fairmesh_target, target);
-    ZERO(fairmesh_boundary_normals, normals);
+    fairmesh_options asked = quick();
     size_t bytes = 3 * cap->vertices * sizeof(double), v;
     double *unit = (double *)must(malloc(bytes));
-    target.kind = FAIRMESH_TARGET_KIND_CONSTANT;
-    target.constant = 2.0;
-    OK(fairmesh_solver_set_target(at->solver, &target, &error));
+    asked.target.kind = FAIRMESH_TARGET_KIND_CONSTANT;
+    asked.target.constant = 2.0;
+    OK(fairmesh_solver_set(at->solver, FAIRMESH_SETTING_TARGET, &asked, &error));
     OK(fairmesh_solver_run(at->solver, 1000, &at->report, &error));
     CHECK(at->report.outcome == FAIRMESH_OUTCOME_CONVERGED);
     OK(fairmesh_solver_positions(at->solver, &at->to, &error));
     CHECK(off_sphere(at->steps, cap->vertices) > 1e-4);
-    target.kind = FAIRMESH_TARGET_KIND_HARMONIC;
-    OK(fairmesh_solver_set_target(at->solver, &target, &error));
-    normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
+    /* The default is the harmonic one. */
+    OK(fairmesh_solver_set(at->solver, FAIRMESH_SETTING_TARGET, NULL, &error));
+    asked.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
     memcpy(unit, cap->positions, bytes);
     for (v = 0; v < cap->vertices; v++) {
         if (cap->free_mask[v]) memset(unit + 3 * v, 0, 24);
     }
-    normals.vectors = points_of(unit, cap->vertices);
-    OK(fairmesh_solver_set_boundary_normals(at->solver, &normals, &error));
+    asked.boundary_normals.vectors = points_of(unit, cap->vertices);
+    OK(fairmesh_solver_set(at->solver, FAIRMESH_SETTING_BOUNDARY_NORMALS, &asked, &error));
     free(unit);
     OK(fairmesh_solver_run(at->solver, 1000, &at->report, &error));
     CHECK(at->report.outcome == FAIRMESH_OUTCOME_CONVERGED);
@@ -510,16 +494,16 @@ static void reports_of_solver(const Stepped *at) {
     SIZED(fairmesh_report, again);
     SIZED(fairmesh_component, all);
     SIZED(fairmesh_attempt, attempt);
-    OK(fairmesh_solver_report(at->solver, &again, &error));
+    fairmesh_result *result = NULL;
+    OK(fairmesh_solver_result(at->solver, &result, &error));
+    OK(fairmesh_result_report(result, 0, &again, &error));
     CHECK(memcmp(&again, &at->report, sizeof again) == 0);
-    OK(fairmesh_solver_component(at->solver, 0, &all, &error));
+    OK(fairmesh_result_component(result, 0, 0, &all, &error));
     CHECK(all.free_vertices == again.free_vertices && all.outcome == again.outcome);
-    CHECK(fairmesh_solver_component(at->solver, 1, &all, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     CHECK(all.bending_energy == again.bending_energy && all.attempt_count >= 1);
-    OK(fairmesh_solver_attempt(at->solver, 0, all.attempt_count - 1, &attempt, &error));
+    OK(fairmesh_result_attempt(result, 0, 0, all.attempt_count - 1, &attempt, &error));
     CHECK(attempt.name[0] != 0 && attempt.free_vertices == again.free_vertices);
-    CHECK(fairmesh_solver_attempt(at->solver, 0, all.attempt_count, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
-    CHECK(fairmesh_solver_attempt(at->solver, 1, 0, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    OK(fairmesh_result_free(result));
 }
 
 static void in_steps(void) {
@@ -1472,11 +1456,23 @@ static void curvature_by_list(Continued *at) {
     free(given);
 }
 
+/* How many loops of the first component have their curvature continued, and what came of the first of them. */
+static uint64_t loops_of(fairmesh_solver *solver, fairmesh_continuity *first) {
+    SIZED(fairmesh_component, whole);
+    fairmesh_result *result = NULL;
+    int32_t status;
+    OK(fairmesh_solver_result(solver, &result, &error));
+    OK(fairmesh_result_component(result, 0, 0, &whole, &error));
+    status = fairmesh_result_continuity(result, 0, 0, 0, first, &error);
+    CHECK(status == (whole.continuity_count == 0 ? FAIRMESH_STATUS_NOT_AVAILABLE : FAIRMESH_STATUS_OK));
+    OK(fairmesh_result_free(result));
+    return whole.continuity_count;
+}
+
 /* One number per vertex, as a float, with NaN where none is given; the solver that is returned finds the same. */
 static fairmesh_solver *curvature_by_vertex(Continued *at) {
     const Cap *cap = &at->cap;
     fairmesh_boundary_curvature *curvature = &at->options.boundary_curvature;
-    SIZED(fairmesh_component, whole);
     SIZED(fairmesh_continuity, again);
     fairmesh_solver *solver;
     fairmesh_points_out into = points_out_of(at->by_vertex, cap->vertices);
@@ -1492,41 +1488,41 @@ static fairmesh_solver *curvature_by_vertex(Continued *at) {
     CHECK(memcmp(at->by_list, at->by_vertex, at->bytes) == 0);
 
     OK(fairmesh_solver_new(&cap->mesh, &cap->selection, &at->options, &solver, &error));
-    CHECK(fairmesh_solver_continuity(solver, 0, 0, &again, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(loops_of(solver, &again) == 0);
     OK(fairmesh_solver_run(solver, UINT64_MAX, NULL, &error));
-    OK(fairmesh_solver_component(solver, 0, &whole, &error));
-    CHECK(whole.continuity_count == 1);
-    OK(fairmesh_solver_continuity(solver, 0, 0, &again, &error));
+    CHECK(loops_of(solver, &again) == 1);
     CHECK(memcmp(&again, &at->loop, sizeof again) == 0);
-    CHECK(fairmesh_solver_continuity(solver, 0, 1, &again, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
-    CHECK(fairmesh_solver_continuity(solver, 1, 0, &again, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     return solver;
 }
 
 /* Tangent planes alone, then half of the way for the loop alone, by one of its vertices, then to the fitted curvature. */
 static void continuity_of_solver(const Continued *at, fairmesh_solver *solver) {
-    SIZED(fairmesh_component, whole);
     SIZED(fairmesh_continuity, again);
-    fairmesh_loop_continuity one = at->options.loop_continuity;
-    ZERO(fairmesh_boundary_curvature, fitted);
+    fairmesh_options asked = at->options;
     double half = 0.5;
-    OK(fairmesh_solver_set_continuity(solver, 0.0, NULL, &error));
+    asked.continuity = 0;
+    asked.loop_continuity.values.count = asked.loop_continuity.vertices.count = 0;
+    OK(fairmesh_solver_set(solver, FAIRMESH_SETTING_CONTINUITY, &asked, &error));
     OK(fairmesh_solver_run(solver, UINT64_MAX, NULL, &error));
-    OK(fairmesh_solver_component(solver, 0, &whole, &error));
-    CHECK(whole.continuity_count == 0);
-    one.values = numbers_of(&half, 1);
-    OK(fairmesh_solver_set_continuity(solver, 0.0, &one, &error));
+    CHECK(loops_of(solver, &again) == 0);
+    asked.loop_continuity = at->options.loop_continuity;
+    asked.loop_continuity.values = numbers_of(&half, 1);
+    OK(fairmesh_solver_set(solver, FAIRMESH_SETTING_CONTINUITY, &asked, &error));
     OK(fairmesh_solver_run(solver, UINT64_MAX, NULL, &error));
-    OK(fairmesh_solver_continuity(solver, 0, 0, &again, &error));
+    CHECK(loops_of(solver, &again) == 1);
     CHECK(fabs(again.reached - at->loop.reached) < 1e-4 && fabs(again.jump - at->loop.jump) < 1e-4);
-    CHECK(fairmesh_solver_set_continuity(solver, 1.5, NULL, &error) == FAIRMESH_STATUS_BAD_OPTION);
-    CHECK(error.element_kind == FAIRMESH_ELEMENT_ARGUMENT && error.element == 2);
+    asked.continuity = 1.5;
+    CHECK(fairmesh_solver_set(solver, FAIRMESH_SETTING_CONTINUITY, &asked, &error) == FAIRMESH_STATUS_BAD_OPTION);
+    CHECK(error.element_kind == FAIRMESH_ELEMENT_ARGUMENT && error.element == 3);
+    CHECK(error.other == offsetof(fairmesh_options, continuity));
+    asked.continuity = 0;
     half = 1.5;
-    CHECK(fairmesh_solver_set_continuity(solver, 0.0, &one, &error) == FAIRMESH_STATUS_BAD_OPTION);
+    CHECK(fairmesh_solver_set(solver, FAIRMESH_SETTING_CONTINUITY, &asked, &error) == FAIRMESH_STATUS_BAD_OPTION);
     CHECK(error.element_kind == FAIRMESH_ELEMENT_VERTEX && error.element == at->boundary[3]);
-    OK(fairmesh_solver_set_boundary_curvature(solver, &fitted, &error));
+    CHECK(fairmesh_solver_set(solver, 99, &asked, &error) == FAIRMESH_STATUS_BAD_ENUM && error.element == 2);
+    OK(fairmesh_solver_set(solver, FAIRMESH_SETTING_BOUNDARY_CURVATURE, NULL, &error));
     OK(fairmesh_solver_run(solver, UINT64_MAX, NULL, &error));
-    OK(fairmesh_solver_continuity(solver, 0, 0, &again, &error));
+    CHECK(loops_of(solver, &again) == 1);
     CHECK(fabs(again.curvature - 1.25) > 1e-3);
 }
 
@@ -1579,9 +1575,64 @@ static void continuity(void) {
     cap_free(&at.cap);
 }
 
+/* A vertex of a host: what the library reads and writes stands side by side. */
+typedef struct {
+    float position[3];
+    float normal[3];
+    uint8_t is_free, unused[3];
+    float curvature;
+} HostVertex;
+
+/* Positions are faired in place, with normals and a mask of the same structs, and the curvature goes there, too. */
+static void fields_of_a_host(void) {
+    Cap cap = cap_new(15);
+    HostVertex *host = (HostVertex *)must(calloc(cap.vertices, sizeof *host));
+    float *apart = (float *)must(malloc(12 * cap.vertices)), *normals = (float *)must(malloc(12 * cap.vertices));
+    fairmesh_options options = quick();
+    fairmesh_mesh mesh = cap.mesh;
+    fairmesh_selection selection = cap.selection;
+    fairmesh_points_out out = points_out_of(NULL, 0);
+    fairmesh_scalars_out curvature = scalars_out_of(NULL, 0);
+    SIZED(fairmesh_report, report);
+    size_t v, k;
+    for (v = 0; v < cap.vertices; v++) {
+        host[v].is_free = cap.free_mask[v];
+        for (k = 0; k < 3; k++) {
+            host[v].position[k] = apart[3 * v + k] = (float)cap.positions[3 * v + k];
+            host[v].normal[k] = normals[3 * v + k] = cap.free_mask[v] ? 0.0f : (float)cap.positions[3 * v + k];
+        }
+    }
+    options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
+    mesh.positions.scalar = options.boundary_normals.vectors.scalar = out.scalar = curvature.scalar = FAIRMESH_SCALAR_FLOAT32;
+    mesh.positions.stride = 0;
+    out.count = options.boundary_normals.vectors.count = curvature.count = cap.vertices;
+    mesh.positions.data = out.data = apart;
+    options.boundary_normals.vectors.data = normals;
+    OK(fairmesh_fair(&mesh, &selection, &options, &out, &report, NULL, &error));
+
+    mesh.positions.stride = out.stride = curvature.stride = selection.stride = sizeof *host;
+    options.boundary_normals.vectors.stride = sizeof *host;
+    mesh.positions.data = out.data = host[0].position;
+    options.boundary_normals.vectors.data = host[0].normal;
+    selection.data = &host[0].is_free;
+    OK(fairmesh_fair(&mesh, &selection, &options, &out, &report, NULL, &error));
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
+    for (v = 0; v < cap.vertices; v++) CHECK(memcmp(host[v].position, apart + 3 * v, 12) == 0);
+    curvature.data = &host[0].curvature;
+    OK(fairmesh_mean_curvature(&mesh, &curvature, &error));
+    CHECK(fabs((double)host[cap.vertices / 2].curvature + 1.0) < 0.1);
+    curvature.data = &host[0].position[2];
+    CHECK(fairmesh_mean_curvature(&mesh, &curvature, &error) == FAIRMESH_STATUS_ALIASING && error.element == 2);
+    free(host);
+    free(apart);
+    free(normals);
+    cap_free(&cap);
+}
+
 int main(void) {
     versions();
     one_shot();
+    fields_of_a_host();
     intersections();
     in_steps();
     live();

@@ -27,7 +27,7 @@
         int32_t status_ = (int32_t)(call);                                                  \
         if (status_ != FAIRMESH_STATUS_OK) {                                                \
             fprintf(stderr, "%s:%d: %s: %s\n", __FILE__, __LINE__, #call,                   \
-                    fairmesh_status_name(status_));                                         \
+                    fairmesh_describe(FAIRMESH_ANSWER_STATUS, status_, FAIRMESH_TEXT_NAME));        \
             exit(1);                                                                        \
         }                                                                                   \
     } while (0)

@@ -64,14 +64,16 @@ static void fair_once(Scene *s) {
 
 static void steps(Scene *s) {
     fairmesh_solver *solver = NULL;
-    fairmesh_target target = {FAIRMESH_TARGET_KIND_CONSTANT, 0, 1.0};
+    fairmesh_options asked = s->options;
     fairmesh_points_out out = points_out_of(s->out, s->cap.vertices);
     if (!passed(s, fairmesh_solver_new(&s->cap.mesh, &s->cap.selection, &s->options, &solver, &error))) {
         CHECK(solver == NULL);
         return;
     }
+    asked.target.kind = FAIRMESH_TARGET_KIND_CONSTANT;
+    asked.target.constant = 1.0;
     passed(s, fairmesh_solver_run(solver, 2, NULL, &error));
-    passed(s, fairmesh_solver_set_target(solver, &target, &error));
+    passed(s, fairmesh_solver_set(solver, FAIRMESH_SETTING_TARGET, &asked, &error));
     passed(s, fairmesh_solver_run(solver, 100, NULL, &error));
     OK(fairmesh_solver_positions(solver, &out, &error));
     made(s, fairmesh_solver_result(solver, &result, &error));

@@ -50,24 +50,26 @@ static void *together(void *counts) {
     size_t *count = (size_t *)counts;
     double *out = (double *)must(malloc(24 * cap.vertices));
     fairmesh_points_out to = points_out_of(out, cap.vertices);
-    fairmesh_scalars_out numbers = scalars_out_of(out, cap.vertices);
     SIZED(fairmesh_report, report);
     int k, which;
     for (k = 0; k < ROUNDS; k++) {
-        for (which = 0; which < 5; which++) {
-            fairmesh_target target = {FAIRMESH_TARGET_KIND_CONSTANT, 0, 0.1 * k};
+        for (which = 0; which < 4; which++) {
+            fairmesh_options asked = options_of(2);
+            fairmesh_result *made = NULL;
             fairmesh_error error;
             int32_t status;
+            asked.target.kind = FAIRMESH_TARGET_KIND_CONSTANT;
+            asked.target.constant = 0.1 * k;
             switch (which) {
             case 0: status = fairmesh_solver_run(shared, 2, &report, &error); break;
             case 1: status = fairmesh_solver_positions(shared, &to, &error); break;
-            case 2: status = fairmesh_solver_mean_curvature(shared, &numbers, &error); break;
-            case 3: status = fairmesh_solver_set_target(shared, &target, &error); break;
-            default: status = fairmesh_solver_report(shared, &report, &error);
+            case 2: status = fairmesh_solver_set(shared, FAIRMESH_SETTING_TARGET, &asked, &error); break;
+            default: status = fairmesh_solver_result(shared, &made, &error);
             }
             CHECK(status == FAIRMESH_STATUS_OK || status == FAIRMESH_STATUS_BUSY);
             CHECK(error.status == status);
             count[status == FAIRMESH_STATUS_BUSY]++;
+            OK(fairmesh_result_free(made));
             OK(fairmesh_result_positions(common, &to, &error));
         }
     }

@@ -8,11 +8,11 @@ use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
 use fairmesh::{
-    BoundaryCurvature, BoundaryNormals, BridgeOptions, Coincident, Combine, Discretization, Error, Estimate,
+    BoundaryCurvature, BoundaryNormals, BridgeOptions, Coincident, Combine, Discretization, Error,
     FillOptions, FillOutcome, Filled, InnerFairness, InteriorNormals, Intersections, Join, LoopFilter,
-    LoopReport, Loops, OnFailure, Options, OutputPrecision, PaperOptions, Place, Region, RegionStep,
-    RemeshOptions, Rim, Seed, Selection, Solution, SolverKind, Target, boundary_loops, bridge, erase, fair,
-    fill_holes, refill_region, remesh_region, select_region,
+    LoopReport, Loops, OnFailure, Options, OutputPrecision, Place, Region, RegionStep, RemeshOptions, Rim,
+    Seed, Selection, Solution, Target, boundary_loops, bridge, erase, fair, fill_holes, refill_region,
+    remesh_region, select_region,
 };
 use serde_json::{Map, Value, json};
 
@@ -317,36 +317,6 @@ fn fairings(cases: &mut Cases, sheet: &Mesh) {
     }
 }
 
-fn paper_fairings(cases: &mut Cases, sheet: &Mesh) {
-    let mut add = |name: &str, given: Value, set: &dyn Fn(&mut PaperOptions)| {
-        let mut options = json!({ "solver": "paper", "discretization": "paper", "paper_max_updates": 12 });
-        (options.as_object_mut().unwrap()).append(&mut given.as_object().unwrap().clone());
-        cases.fair(name, sheet, options, &|o| {
-            let max_updates = 12;
-            let mut paper = PaperOptions {
-                max_updates,
-                ..PaperOptions::default()
-            };
-            set(&mut paper);
-            (o.solver, o.discretization) = (SolverKind::Paper(paper), Discretization::Paper);
-        });
-    };
-    each! { add:
-        "paper" {} |_| ();
-        "paper, updates" { "paper_max_updates": 5 } |p| p.max_updates = 5;
-        "paper, damping" { "paper_damping": 0.5 } |p| p.damping = 0.5;
-        "paper, levels" { "paper_levels": 2 } |p| p.levels = 2;
-        "paper, base" { "paper_levels": 2, "paper_base": 50 } |p| (p.levels, p.base) = (2, 50);
-        "paper, defect" { "paper_defect": 0.5 } |p| p.defect = 0.5;
-        "paper, Laplacian" { "paper_defect": 0.5, "paper_laplacian": 1e-3 }
-            |p| (p.defect, p.laplacian) = (0.5, 1e-3);
-        "paper, iterations" { "paper_estimate_iterations": 1 }
-            |p| p.estimate = Estimate::Alternating { iterations: 1 };
-        "paper, estimate" { "paper_estimate": "gauss_seidel", "paper_estimate_iterations": 1 }
-            |p| p.estimate = Estimate::GaussSeidel { sweeps: 1 };
-    }
-}
-
 fn fillings(cases: &mut Cases, holed: &Mesh) {
     let kinds = boundary_loops(&holed.positions, &holed.triangles).unwrap();
     let is_large = |&k: &usize| (10..40).contains(&kinds[k].vertices.len());
@@ -559,8 +529,7 @@ fn refused_fairings(cases: &mut Cases, fan: &Mesh) {
         set(&mut options);
         let selection = Selection::Vertices(&[0]);
         let error = fair(&fan.positions, &fan.triangles, selection, &options).unwrap_err();
-        let solver = options.solver.name();
-        let options = json!({ name: value, "solver": solver });
+        let options = json!({ name: value });
         cases.refused(name, "fair", "fan", options, "argument", &error);
     };
     each! { one:
@@ -569,18 +538,6 @@ fn refused_fairings(cases: &mut Cases, fan: &Mesh) {
         "tolerance" 0.0 |o| o.tolerance = 0.0;
         "max_iterations" 0 |o| o.max_iterations = 0;
         "threads" 1025 |o| o.threads = 1025;
-    }
-    let mut of_paper = |name: &str, value: Value, set: &dyn Fn(&mut PaperOptions)| {
-        let mut paper = PaperOptions::default();
-        set(&mut paper);
-        one(name, value, &|o| o.solver = SolverKind::Paper(paper));
-    };
-    each! { of_paper:
-        "paper_damping" 1.5 |p| p.damping = 1.5;
-        "paper_defect" 0.0 |p| p.defect = 0.0;
-        "paper_laplacian" (-1.0) |p| p.laplacian = -1.0;
-        "paper_max_updates" 0 |p| p.max_updates = 0;
-        "paper_estimate_iterations" 0 |p| p.estimate = Estimate::Alternating { iterations: 0 };
     }
 }
 
@@ -626,7 +583,6 @@ fn written() -> Value {
     let [(_, sheet), (_, holed), (_, tubes), (_, fan)] = meshes();
     let mut cases = Cases(Vec::new());
     fairings(&mut cases, &sheet);
-    paper_fairings(&mut cases, &sheet);
     fillings(&mut cases, &holed);
     joined_fillings(&mut cases, &tubes);
     bridges(&mut cases, &tubes);
@@ -732,6 +688,6 @@ fn each_option_changes_an_answer() {
             }
         }
     }
-    // They come with others, or are what the call is about.
-    assert_eq!(unseen, ["fair: solver", "bridge: end", "bridge: start"]);
+    // They are what the call is about.
+    assert_eq!(unseen, ["bridge: end", "bridge: start"]);
 }

@@ -75,22 +75,25 @@ TOLD = (
     (fairmesh.AttemptEnd, "attempt_end"),
     (fairmesh.FillOutcome, "fill_outcome"),
     (fairmesh.FillReason, "fill_reason"),
+    (fairmesh.LoopKind, "loop_kind"),
     (fairmesh.Status, "status"),
 )
 
 
 @pytest.mark.parametrize(("public", "name"), TOLD)
 def test_texts_are_those_of_the_library(public, name):
-    ask = {what: getattr(fairmesh.load(), f"fairmesh_{name}_{what}") for what in ("name", "text", "remedy")}
+    def ask(number, text):
+        return fairmesh.load().fairmesh_describe(_abi.fairmesh_answer[name.upper()], number, text)
+
     members = [member for member in public if member.name != "OTHER"]
     numbers = getattr(_abi, f"fairmesh_{name}")
     assert [member.name for member in members] == [member.name for member in numbers]
     for member in members:
         number = numbers[member.name]
-        assert ask["name"](number).decode() == member.name.lower()
-        assert ask["text"](number).decode() == member.text
-        assert ask["remedy"](number).decode() == member.remedy
-    assert ask["name"](999) == b"unknown"
+        assert ask(number, _abi.fairmesh_text.NAME).decode() == member.name.lower()
+        assert ask(number, _abi.fairmesh_text.MEANING).decode() == member.text
+        assert ask(number, _abi.fairmesh_text.REMEDY).decode() == member.remedy
+    assert ask(999, _abi.fairmesh_text.NAME) == b"unknown"
     assert public is fairmesh.Status or public.of(999) is public.OTHER
 
 

@@ -196,7 +196,7 @@ WRONG_VALUES = {
     "target: 'flat' is neither 'harmonic' nor 'minimal_energy' nor a number": {"target": "flat"},
     "inner_fairness: 'even' is none of 'uniform', 'conformal', 'convex'": {"inner_fairness": "even"},
     "interior_normals: 0 is none of 'smooth', 'input'": {"interior_normals": 0},
-    "solver: 'slow' is none of 'fast', 'paper'": {"solver": "slow"},
+    "discretization: 'slow' is none of 'second_order', 'paper'": {"discretization": "slow"},
     "inner_fairness: 'unifrom' is none of 'uniform', 'conformal', 'convex'; did you mean 'uniform'?": {
         "inner_fairness": "unifrom"
     },

@@ -90,14 +90,6 @@ def test_components():
         assert solver.run().components == solver.report.components == report.components
 
 
-def test_levels_of_the_papers_scheme():
-    result = fairmesh.fair(VERTICES, FACES, free=FREE, solver="paper", discretization="paper", paper_levels=2)
-    assert result.report.level_count == len(result.levels) == 2
-    coarse, fine = result.levels
-    assert coarse.vertices < fine.vertices and fine.updates > 0 and fine.defect <= 1e-6
-    assert fairmesh.fair(VERTICES, FACES, free=FREE).levels == []
-
-
 def test_normals_in_any_way():
     vertices, faces, free, _ = disc()
     boundary = np.flatnonzero(~free)

@@ -1,11 +1,12 @@
 /** Fairing: whole, and in steps. */
 
 import type * as abi from "./abi.js";
+import { enums } from "./abi.js";
 import { type Floats, type Mesh, MeshIn, type Region, type Selection, selectionIn } from "./arrays.js";
-import { type Argument, type FunctionName, type Library, NO_ELEMENT, type Scope, within } from "./library.js";
+import { type Argument, type FunctionName, type Library, NO_ELEMENT, type Scope, type Values, within } from "./library.js";
 import { curvatureIn, FAIRING, type FairingOptions, fairingIn, type HowFar, howFar, known, loopsIn, normalsIn, targetIn, whole } from "./options.js";
 import type { Relays, Watching } from "./progress.js";
-import { filledIn, type Getters, readInto, type Report, reportOf, type ResultHandle, resultOf } from "./reports.js";
+import { filledIn, readInto, type Report, type ResultHandle, resultOf } from "./reports.js";
 import { type Budget, budgetIn, type Edit, editsIn, type Frame } from "./edits.js";
 import { FairmeshError } from "./errors.js";
 
@@ -42,8 +43,6 @@ export interface FairResult<P extends Floats = Floats> {
     creasedVertices: Uint32Array;
     /** Pairs of triangles that intersect, one after the other, the smaller index first. */
     intersections: Uint32Array;
-    /** What the solver "paper" did on each level. */
-    levels: abi.Level[];
 }
 
 /** Runs something whose callback may throw; what it threw comes first. */
@@ -84,7 +83,6 @@ function faired(result: ResultHandle, mesh: MeshIn): FairResult {
         suspiciousNormals: result.list("suspicious_normals"),
         creasedVertices: result.list("creased_vertices"),
         intersections: result.list("intersections"),
-        levels: Array.from({ length: report.levelCount }, (_, k) => result.struct<abi.Level>("fairmesh_result_level", "level", k)),
     };
 }
 
@@ -119,12 +117,6 @@ export function meanCurvature(host: Host, given: Mesh): Float64Array {
         ),
     );
 }
-
-const GETTERS: Getters = {
-    component: "fairmesh_solver_component",
-    attempt: "fairmesh_solver_attempt",
-    continuity: "fairmesh_solver_continuity",
-};
 
 /** Frees what was forgotten to be closed; a net only. */
 const forgotten = new FinalizationRegistry<() => void>((free) => free());
@@ -173,45 +165,46 @@ export class Solver {
         this.#host.library.call(name, this.#address, ...given);
     }
 
-    #set(name: FunctionName, struct: "boundaryNormals" | "boundaryCurvature" | "target", values: (scope: Scope) => object): void {
-        within(this.#host.library, (scope) => this.#call(name, scope.struct(struct, values(scope) as Record<string, unknown>)));
+    #set(setting: keyof typeof enums.setting, values: (scope: Scope) => Values): void {
+        within(this.#host.library, (scope) => this.#call("fairmesh_solver_set", enums.setting[setting], scope.struct("options", values(scope))));
     }
 
     /** Runs at most so many nonlinear iterations of each component, at least one; without a number, to the end. */
     run(iterations?: number): Report {
         const count = iterations === undefined ? NO_ELEMENT : BigInt(whole(iterations, "iterations"));
-        return this.#reported((at) => this.#call("fairmesh_solver_run", count, at));
+        return this.#reported(() => this.#call("fairmesh_solver_run", count, 0));
     }
 
-    #reported(run: (at: number) => void): Report {
-        const { userData } = this.#told;
-        let figures: abi.Report;
+    #reported(run: () => void): Report {
         try {
-            figures = filledIn(this.#host.library, "report", run) as unknown as abi.Report;
+            run();
         } finally {
-            this.#host.relays.end(userData);
+            this.#host.relays.end(this.#told.userData);
         }
-        return reportOf(this.#host.library, figures, GETTERS, [this.#address]);
+        return this.report;
+    }
+
+    #result<T>(use: (result: ResultHandle) => T): T {
+        if (this.#address === 0) throw new FairmeshError("the solver is closed", { status: "bad_handle" });
+        return resultOf(this.#host.library, "fairmesh_solver_result", [this.#address], use);
     }
 
     /** Asks for other boundary normals from now on, as in `fair`. The next run starts at the surface at hand, here and below. */
     setBoundaryNormals(normals: NonNullable<FairingOptions["boundaryNormals"]>): void {
-        this.#set("fairmesh_solver_set_boundary_normals", "boundaryNormals", (scope) => normalsIn(scope, normals, this.#mesh.vertexCount));
+        this.#set("boundary_normals", (scope) => ({ boundaryNormals: normalsIn(scope, normals, this.#mesh.vertexCount) }));
     }
 
     setBoundaryCurvature(curvature: NonNullable<FairingOptions["boundaryCurvature"]>): void {
-        this.#set("fairmesh_solver_set_boundary_curvature", "boundaryCurvature", (scope) => curvatureIn(scope, curvature, this.#mesh.vertexCount));
+        this.#set("boundary_curvature", (scope) => ({ boundaryCurvature: curvatureIn(scope, curvature, this.#mesh.vertexCount) }));
     }
 
     setTarget(target: NonNullable<FairingOptions["target"]>): void {
-        this.#set("fairmesh_solver_set_target", "target", () => targetIn(target));
+        this.#set("target", () => ({ target: targetIn(target) }));
     }
 
     setContinuity(continuity: HowFar, loops: NonNullable<FairingOptions["loopContinuity"]> = []): void {
         const asked = howFar(continuity, "continuity");
-        within(this.#host.library, (scope) =>
-            this.#call("fairmesh_solver_set_continuity", asked, scope.struct("loopContinuity", loopsIn(scope, loops))),
-        );
+        this.#set("continuity", (scope) => ({ continuity: asked, loopContinuity: loopsIn(scope, loops) }));
     }
 
     /**
@@ -234,7 +227,7 @@ export class Solver {
 
     /** The converged surface with its report, checked: that of `fair` with what is asked and edited, to the tolerance. */
     finish(): Report {
-        return this.#reported((at) => this.#call("fairmesh_solver_finish", at));
+        return this.#reported(() => this.#call("fairmesh_solver_finish", 0));
     }
 
     /** Between which amounts of a bulge, beside the other edits in force, sound surfaces are found. It costs some tens of frames. */
@@ -255,21 +248,17 @@ export class Solver {
 
     /** The mean curvature of the surface as it stands; NaN where no vertex is free. */
     get meanCurvature(): Float64Array {
-        return readInto(this.#host.library, new Float64Array(this.#mesh.vertexCount), 1, "scalarsOut", (out) =>
-            this.#call("fairmesh_solver_mean_curvature", out),
-        );
+        return this.#result((result) => result.scalars("mean_curvature", this.#mesh.vertexCount));
     }
 
     /** The report of the last run; before the first one, of the input. */
     get report(): Report {
-        const figures = filledIn(this.#host.library, "report", (at) => this.#call("fairmesh_solver_report", at));
-        return reportOf(this.#host.library, figures as unknown as abi.Report, GETTERS, [this.#address]);
+        return this.#result((result) => result.report());
     }
 
     /** Everything that is known of the surface as it stands. */
     result(): FairResult {
-        if (this.#address === 0) throw new FairmeshError("the solver is closed", { status: "bad_handle" });
-        return resultOf(this.#host.library, "fairmesh_solver_result", [this.#address], (result) => faired(result, this.#mesh));
+        return this.#result((result) => faired(result, this.#mesh));
     }
 
     /** Frees the solver's memory. Closing twice is allowed; while it runs, it is refused. */

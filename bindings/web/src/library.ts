@@ -68,9 +68,9 @@ export class Library {
         });
     }
 
-    /** What a function of texts says about a number. */
-    text(name: FunctionName, number: number): string {
-        return this.string(this.invoke(name, number) >>> 0);
+    /** What is told of a number that the library answers with. */
+    text(answer: keyof typeof enums.answer, number: number, text: keyof typeof enums.text): string {
+        return this.string(this.invoke("fairmesh_describe", enums.answer[answer], BigInt(number), enums.text[text]) >>> 0);
     }
 
     /** The text at an address, up to its end. */
@@ -97,9 +97,9 @@ export class Scope {
     bytes(size: number): number {
         const at = this.library.invoke("fairmesh_wasm_allocate", Math.max(size, 1));
         if (at === 0) {
-            throw refusal(this.library.text("fairmesh_status_text", enums.status.out_of_memory), {
+            throw refusal(this.library.text("status", enums.status.out_of_memory, "meaning"), {
                 status: "out_of_memory",
-                remedy: this.library.text("fairmesh_status_remedy", enums.status.out_of_memory),
+                remedy: this.library.text("status", enums.status.out_of_memory, "remedy"),
             });
         }
         this.#blocks.push([at >>> 0, Math.max(size, 1)]);
@@ -246,7 +246,7 @@ const NAMES: Record<string, string> = { components: "ofComponents" };
 
 function refused(library: Library, name: FunctionName, status: number, why: ErrorFields): FairmeshError {
     const known = nameOf("status", status);
-    const text = library.text("fairmesh_status_text", status);
+    const text = library.text("status", status, "meaning");
     let message = why.message || (known === "other" ? `unknown status ${status}` : text);
     let { elementKind, element, other } = why;
     let argument: string | null = null;
@@ -262,7 +262,7 @@ function refused(library: Library, name: FunctionName, status: number, why: Erro
         element,
         other,
         argument,
-        remedy: library.text("fairmesh_status_remedy", status),
+        remedy: library.text("status", status, "remedy"),
     });
 }
 

@@ -50,20 +50,21 @@ export interface Telling {
 /** Enumerations whose values the library has texts for. */
 export type Told = "status" | "outcome" | "looseReason" | "attemptEnd" | "fillOutcome" | "fillReason";
 
-const TEXTS: Record<Told, readonly [FunctionName, FunctionName]> = {
-    status: ["fairmesh_status_text", "fairmesh_status_remedy"],
-    outcome: ["fairmesh_outcome_text", "fairmesh_outcome_remedy"],
-    looseReason: ["fairmesh_loose_reason_text", "fairmesh_loose_reason_remedy"],
-    attemptEnd: ["fairmesh_attempt_end_text", "fairmesh_attempt_end_remedy"],
-    fillOutcome: ["fairmesh_fill_outcome_text", "fairmesh_fill_outcome_remedy"],
-    fillReason: ["fairmesh_fill_reason_text", "fairmesh_fill_reason_remedy"],
-};
+const ANSWERS = {
+    status: "status",
+    outcome: "outcome",
+    looseReason: "loose_reason",
+    attemptEnd: "attempt_end",
+    fillOutcome: "fill_outcome",
+    fillReason: "fill_reason",
+} as const;
 
 /** What a value means. */
 export function telling(library: Library, kind: Told, name: string): Telling {
     const number = numberOf(kind, name);
     if (number === undefined) throw new TypeError(`there is no ${kind} "${name}"`);
-    return { text: library.text(TEXTS[kind][0], number), remedy: library.text(TEXTS[kind][1], number) };
+    const answer = ANSWERS[kind];
+    return { text: library.text(answer, number, "meaning"), remedy: library.text(answer, number, "remedy") };
 }
 
 /** Reads a struct that a function fills in. */
@@ -74,36 +75,6 @@ export function filledIn(library: Library, name: StructName, call: (at: number) 
         return read(library, at, name);
     });
 }
-
-/** Functions that read reports: of a result, or of a solver. */
-export interface Getters {
-    component: FunctionName;
-    attempt: FunctionName;
-    continuity: FunctionName;
-}
-
-/** A report with its components; `before` is what the getters take first. */
-export function reportOf(library: Library, figures: abi.Report, getters: Getters, before: readonly Argument[]): Report {
-    const get = <T>(function_: FunctionName, struct: StructName, ...numbers: number[]): T =>
-        filledIn(library, struct, (at) => library.call(function_, ...before, ...numbers.map(BigInt), at)) as T;
-    const components = Array.from({ length: figures.componentCount }, (_, number) => {
-        const own = get<abi.Component>(getters.component, "component", number);
-        return {
-            ...own,
-            attempts: Array.from({ length: own.attemptCount }, (_, k) => get<abi.Attempt>(getters.attempt, "attempt", number, k)),
-            continuity: Array.from({ length: own.continuityCount }, (_, k) => get<abi.Continuity>(getters.continuity, "continuity", number, k)),
-        };
-    });
-    const { outcome, looseReason } = figures;
-    const told = outcome === "converged_loosely" ? telling(library, "looseReason", looseReason) : telling(library, "outcome", outcome);
-    return { ...figures, isSuccess: outcome === "converged", ...told, components };
-}
-
-const GETTERS: Getters = {
-    component: "fairmesh_result_component",
-    attempt: "fairmesh_result_attempt",
-    continuity: "fairmesh_result_continuity",
-};
 
 /** A `fairmesh_result`, as long as it lives. */
 export class ResultHandle {
@@ -126,7 +97,22 @@ export class ResultHandle {
 
     report(index = 0): Report {
         const figures = this.struct<abi.Report>("fairmesh_result_report", "report", index);
-        return reportOf(this.library, figures, GETTERS, [this.address, BigInt(index)]);
+        const components = Array.from({ length: figures.componentCount }, (_, number) => this.#component(index, number));
+        const { outcome, looseReason } = figures;
+        const loosely = outcome === "converged_loosely";
+        const told = loosely ? telling(this.library, "looseReason", looseReason) : telling(this.library, "outcome", outcome);
+        return { ...figures, isSuccess: outcome === "converged", ...told, components };
+    }
+
+    #component(index: number, number: number): Component {
+        const own = this.struct<abi.Component>("fairmesh_result_component", "component", index, number);
+        const attempt = (_: unknown, k: number) => this.struct<abi.Attempt>("fairmesh_result_attempt", "attempt", index, number, k);
+        const loop = (_: unknown, k: number) => this.struct<abi.Continuity>("fairmesh_result_continuity", "continuity", index, number, k);
+        return {
+            ...own,
+            attempts: Array.from({ length: own.attemptCount }, attempt),
+            continuity: Array.from({ length: own.continuityCount }, loop),
+        };
     }
 
     loopReport(index: number): LoopReport {

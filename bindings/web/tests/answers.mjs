@@ -7,7 +7,7 @@ import { input } from "./meshes.mjs";
 const OPTIONS = {
     4: { innerFairness: "conformal" },
     5: { continuity: 1 },
-    7: { solver: "paper", discretization: "paper", paperMaxUpdates: 200 },
+    7: { discretization: "paper" },
 };
 
 /** Numbers in hexadecimal, three a line. */

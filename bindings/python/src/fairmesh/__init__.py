@@ -17,7 +17,7 @@ from ._keywords import LoopChoice
 from ._library import LibraryError, load, version
 from ._options import default_fill_options, default_options, default_remesh_options
 from ._progress import Monitor, Progress
-from ._records import Attempt, Bends, Component, Continuity, Level, Loop, Moved, Report, Roughness
+from ._records import Attempt, Bends, Component, Continuity, Loop, Moved, Report, Roughness
 from ._region import (
     grow,
     select_ball,
@@ -52,7 +52,6 @@ __all__ = [
     "Frame",
     "InputError",
     "JoinSuggestion",
-    "Level",
     "LibraryError",
     "Loop",
     "LoopChoice",

@@ -21,8 +21,8 @@ from ._hosts import Arrays, M
 from ._keywords import FairKeywords
 from ._library import Library, load
 from ._options import curvature_view, how_far, loops_view, normals_view, real, target_struct, whole
-from ._records import Level, Report, level_of
-from ._reports import sized, whole_report
+from ._records import Report
+from ._reports import sized
 from ._runs import Run, region_of
 from ._seams import seams_told, warn_of_seams
 
@@ -112,16 +112,6 @@ class Result(Generic[M]):
     def creased_vertices(self) -> NDArray[np.intp]:
         """Boundary vertices where the surface has a crease, where the outcome is about them."""
         return self._handle.list(_lists.CREASED_VERTICES)
-
-    @cached_property
-    def levels(self) -> list[Level]:
-        """What the solver "paper" did on each level, from the base to the mesh given."""
-        made = []
-        for index in range(self.report.level_count):
-            level = sized(_abi.fairmesh_level)
-            self._handle.read("fairmesh_result_level", index, level)
-            made.append(level_of(level))
-        return made
 
     def __repr__(self) -> str:
         report = self.report
@@ -245,25 +235,23 @@ class Solver(Generic[M]):
         The outcome ITERATION_LIMIT or CANCELLED says that a further run goes on from here; after any other one the end
         is reached, and a further run does nothing until something is changed.
         """
-        report = sized(_abi.fairmesh_report)
         count = _abi.NO_ELEMENT if iterations is None else whole(iterations, "iterations")
         with self._relay:
-            self._call("fairmesh_solver_run", count, report)
-        return self._told(report)
+            self._call("fairmesh_solver_run", count, None)
+        return self.report
 
     def set_boundary_normals(self, normals: Normals) -> None:
         """Asks for other boundary normals from now on, as in `fair`. The next run starts at the surface at hand."""
         view = normals_view(normals, self._shape[0])
-        self._call("fairmesh_solver_set_boundary_normals", view)
+        self._set(_abi.fairmesh_setting.BOUNDARY_NORMALS, boundary_normals=view)
 
     def set_continuity(self, continuity: HowFar, loops: LoopContinuity | None = None) -> None:
         """Asks for another ``continuity`` from now on, and with ``loops`` for a ``loop_continuity``, as in `fair`.
 
         The next run starts at the surface at hand.
         """
-        view = loops_view(loops or {})
-        asked = ctypes.c_double(how_far(continuity, "continuity"))
-        self._call("fairmesh_solver_set_continuity", asked, view)
+        view, asked = loops_view(loops or {}), how_far(continuity, "continuity")
+        self._set(_abi.fairmesh_setting.CONTINUITY, continuity=asked, loop_continuity=view)
 
     def set_boundary_curvature(self, curvature: Curvature) -> None:
         """Asks for the continuation of another curvature from now on, as in `fair`.
@@ -271,11 +259,17 @@ class Solver(Generic[M]):
         The next run starts at the surface at hand.
         """
         view = curvature_view(curvature, self._shape[0])
-        self._call("fairmesh_solver_set_boundary_curvature", view)
+        self._set(_abi.fairmesh_setting.BOUNDARY_CURVATURE, boundary_curvature=view)
 
     def set_target(self, target: Target) -> None:
         """Asks for another target from now on, given as in `fair`. The next run starts at the surface at hand."""
-        self._call("fairmesh_solver_set_target", target_struct(target))
+        self._set(_abi.fairmesh_setting.TARGET, target=target_struct(target))
+
+    def _set(self, setting: _abi.fairmesh_setting, **fields: Any) -> None:
+        options = sized(_abi.fairmesh_options)
+        for name, value in fields.items():
+            setattr(options, name, value)
+        self._call("fairmesh_solver_set", setting, options)
 
     def edit(self, edits: Sequence[Edit]) -> None:
         """Asks for these changes of the boundary: `Tilt`, `Twist`, `Bulge`, `Move`.
@@ -303,10 +297,9 @@ class Solver(Generic[M]):
 
     def finish(self) -> Report:
         """The converged surface with its report, checked: to the tolerance what `fair` finds for what is asked."""
-        report = sized(_abi.fairmesh_report)
         with self._relay:
-            self._call("fairmesh_solver_finish", report)
-        return self._told(report)
+            self._call("fairmesh_solver_finish", None)
+        return self.report
 
     def bulge_range(self) -> tuple[float, float]:
         """Between which amounts of a `Bulge`, beside the other edits in force, sound surfaces are found.
@@ -335,25 +328,21 @@ class Solver(Generic[M]):
     @property
     def mean_curvature(self) -> NDArray[np.float64]:
         """The mean curvature of the surface as it stands, (n,); NaN where no vertex is free."""
-        made = np.empty(self._shape[0])
-        self._call("fairmesh_solver_mean_curvature", _arrays.scalars_out(made))
-        return made
+        return self._handle().scalars(_abi.fairmesh_scalars.MEAN_CURVATURE, self._shape[0])
 
     @property
     def report(self) -> Report:
         """The report of the last run; before the first one, of the input."""
-        made = sized(_abi.fairmesh_report)
-        self._call("fairmesh_solver_report", made)
-        return self._told(made)
+        return self._handle().report()
 
-    def _told(self, report: _abi.fairmesh_report) -> Report:
-        return whole_report(report, lambda what, *numbers: self._call(f"fairmesh_solver_{what}", *numbers))
+    def _handle(self) -> ResultHandle:
+        address = ctypes.c_void_p()
+        self._call("fairmesh_solver_result", address)
+        return ResultHandle(self._library, address)
 
     def result(self) -> Result[M]:
         """A copy of everything that is known of the surface as it stands."""
-        address = ctypes.c_void_p()
-        self._call("fairmesh_solver_result", address)
-        handle = ResultHandle(self._library, address)
+        handle = self._handle()
         return Result(handle, handle.positions(self._shape[0], self._dtype), self._given)
 
     def close(self) -> None:
