@@ -89,8 +89,8 @@ pub fn fair(
 
 /// [`fair`], which calls `progress` on the calling thread: after every iteration, more often while the start is made, and
 /// every 50 ms where nothing is new; in components of less than a thousandth of all free vertices, whenever another
-/// thousandth is done. `Break` stops the run with the best surface so far; before there is one, with the input. Components
-/// that are done then keep their results.
+/// thousandth is done. The last call has the fraction 1, unless the run is stopped. `Break` stops the run with the best surface
+/// so far; before there is one, with the input. Components that are done then keep their results.
 ///
 /// ```
 /// # // A plane of 7 by 7 vertices with a bump; the nine in the middle are free.
@@ -119,9 +119,12 @@ pub fn fair_with_progress(
     progress: &mut ProgressCallback<'_>,
 ) -> Result<Solution, Error> {
     options.validate()?;
-    relay(&Workers::new(options.threads)?, progress, |told, interrupt| {
-        run_joined(positions, triangles, selection, options, Some(told), interrupt)
-    })?
+    relay(
+        &Workers::new(options.threads)?,
+        progress,
+        |told, interrupt| run_joined(positions, triangles, selection, options, Some(told), interrupt),
+        Result::is_ok,
+    )?
 }
 
 /// [`fair`] as a part of another run, on its threads, which tells of it and stops it. The options are valid.
@@ -156,19 +159,24 @@ pub(crate) fn fair_within(
 pub(crate) fn on_workers<T: Send>(
     threads: usize,
     progress: Option<&mut ProgressCallback<'_>>,
-    work: impl FnOnce(&mut ProgressCallback<'_>, &Interrupt) -> T + Send,
+    work: impl FnOnce(&mut ProgressCallback<'_>, &Interrupt) -> Result<T, Error> + Send,
 ) -> Result<T, Error> {
     let workers = Workers::new(threads)?;
     match progress {
-        Some(progress) => relay(&workers, progress, |told, interrupt| {
-            work(
-                &mut |p: &Progress| told(p.fraction, p.iterations, p.step, p.phase),
-                interrupt,
-            )
-        }),
+        Some(progress) => relay(
+            &workers,
+            progress,
+            |told, interrupt| {
+                work(
+                    &mut |p: &Progress| told(p.fraction, p.iterations, p.step, p.phase),
+                    interrupt,
+                )
+            },
+            Result::is_ok,
+        )?,
         None => {
             let mut untold = |_: &Progress| ControlFlow::Continue(());
-            Ok(workers.install(|| work(&mut untold, &Interrupt::default())))
+            workers.install(|| work(&mut untold, &Interrupt::default()))
         }
     }
 }

@@ -6,27 +6,43 @@ use crate::solve::control::{Callback, Interrupt};
 use crate::support::error::Error;
 
 /// Runs `work`, which is handed what calls `callback`, and what is set when the callback stops the run. Between two phases
-/// nothing can be told.
+/// nothing can be told. What is told never falls, and is 1 at the end of a run that `is_whole`.
 pub(super) fn relay<T: Send>(
     workers: &Workers,
     callback: &mut ProgressCallback<'_>,
     work: impl for<'t> FnOnce(&'t mut Callback<'t>, &Interrupt) -> T + Send,
+    is_whole: impl FnOnce(&T) -> bool,
 ) -> Result<T, Error> {
     let interrupt = Interrupt::default();
     let set = interrupt.clone();
-    let mut tell = |fraction, iterations, step, phase| {
-        let told = callback(&Progress {
-            fraction,
+    let mut last = Progress {
+        fraction: 0.0,
+        iterations: 0,
+        step: f64::NAN,
+        phase: "setup",
+    };
+    let mut tell = |fraction: f64, iterations, step, phase| {
+        last = Progress {
+            fraction: last.fraction.max(fraction),
             iterations,
             step,
             phase,
-        });
+        };
+        let told = callback(&last);
         if told.is_break() {
             set.set();
         }
         told
     };
-    Ok(workers.install(|| work(&mut tell, &interrupt)))
+    let result = workers.install(|| work(&mut tell, &interrupt));
+    if !interrupt.is_set() && is_whole(&result) {
+        // There is nothing left to be stopped.
+        let _ = callback(&Progress {
+            fraction: 1.0,
+            ..last
+        });
+    }
+    Ok(result)
 }
 
 /// The caller's thread.

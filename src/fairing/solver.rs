@@ -314,9 +314,18 @@ impl Solver {
                 .workers
                 .install(|| input.run(components, edits, iterations, None)),
             // A run that is held up goes on later: no factorization is to be broken off.
-            Some(callback) => relay(&self.workers, callback, |told, _| {
-                input.run(components, edits, iterations, Some(told))
-            })?,
+            Some(callback) => {
+                relay(
+                    &self.workers,
+                    callback,
+                    |told, _| {
+                        let ran = input.run(components, edits, iterations, Some(told));
+                        (ran, components.are_over())
+                    },
+                    |(ran, is_over)| ran.is_ok() && *is_over,
+                )?
+                .0
+            }
         };
         match ran {
             Ok(solution) => {

@@ -16,11 +16,13 @@ use crate::support::error::Error;
 const TICK: Duration = Duration::from_millis(50);
 
 /// Runs `work` on the pool and `callback` on this thread, which waits for it in between. `work` is handed what sends to the
-/// callback, and what is set when the callback stops the run.
+/// callback, and what is set when the callback stops the run. What is told never falls, and is 1 at the end of a run that
+/// `is_whole`.
 pub(super) fn relay<T: Send>(
     workers: &Workers,
     callback: &mut ProgressCallback<'_>,
     work: impl for<'t> FnOnce(&'t mut Callback<'t>, &Interrupt) -> T + Send,
+    is_whole: impl FnOnce(&T) -> bool,
 ) -> Result<T, Error> {
     let (to_caller, messages) = mpsc::channel::<Progress>();
     let (answer, answers) = mpsc::channel::<ControlFlow<()>>();
@@ -56,7 +58,10 @@ pub(super) fn relay<T: Send>(
         loop {
             let message = messages.recv_timeout(TICK);
             if let Ok(message) = &message {
-                last = *message;
+                last = Progress {
+                    fraction: last.fraction.max(message.fraction),
+                    ..*message
+                };
             }
             let told = match message {
                 Err(RecvTimeoutError::Disconnected) => break,
@@ -72,7 +77,16 @@ pub(super) fn relay<T: Send>(
             }
         }
         match worker.join() {
-            Ok(result) => Ok(result),
+            Ok(result) => {
+                if !interrupt.is_set() && is_whole(&result) {
+                    // There is nothing left to be stopped.
+                    let _ = callback(&Progress {
+                        fraction: 1.0,
+                        ..last
+                    });
+                }
+                Ok(result)
+            }
             Err(panic) => std::panic::resume_unwind(panic),
         }
     })

@@ -114,7 +114,7 @@ fn bridged(
         options.filling.fairing.threads,
         progress,
         |progress, interrupt| run(positions, triangles, chains, options, progress, interrupt),
-    )?
+    )
 }
 
 fn run(

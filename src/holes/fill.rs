@@ -5,14 +5,14 @@ use std::ops::ControlFlow;
 
 use super::attempts::Check;
 use super::crossing::Neighbours;
+use super::filled::Filled;
 use super::groups::{JoinSuggestion, LoopGroup, asked_for, choose};
 use super::guides::Guides;
 use super::joint;
 use super::links::Links;
 use super::loops::BoundaryLoop;
 use super::options::{FillOptions, Join, largest_patch};
-use super::outcome::{FillOutcome, LoopReport, OpenReason, renumber};
-use super::parents::Parents;
+use super::outcome::{FillOutcome, OpenReason};
 use super::rim::Rims;
 use super::surroundings::Surroundings;
 use crate::fairing::{
@@ -27,29 +27,6 @@ use crate::holes::triangle_owner::Owned;
 use crate::mesh::{Joined, NONE};
 use crate::support::error::Error;
 use crate::support::stopwatch::Stopwatch;
-
-/// The filled mesh.
-#[derive(Debug, Clone)]
-pub struct Filled {
-    /// The positions given, then the new ones. Those given are as they were, unless [`FillOptions::rim`] lets them move.
-    pub positions: Vec<[f64; 3]>,
-    /// The triangles given, then the new ones.
-    pub triangles: Vec<[u32; 3]>,
-    /// Per new vertex where it comes from.
-    pub parents: Vec<Parents>,
-    /// Per loop of the mesh (or per loop chosen) what became of it; loops that are joined have one report.
-    pub loops: Vec<LoopReport>,
-}
-
-impl Filled {
-    /// Whether there is nothing to be said of the result: all loops are [successes](LoopReport::is_success), and it is not so that
-    /// outer boundaries stayed open and nothing was filled. The same in every host.
-    pub fn is_success(&self) -> bool {
-        let is_outer = |of: &LoopReport| of.outcome == FillOutcome::LeftOpen(OpenReason::OuterBoundary);
-        let is_skipped = self.loops.iter().all(LoopReport::is_open) && self.loops.iter().any(is_outer);
-        self.loops.iter().all(LoopReport::is_success) && !is_skipped
-    }
-}
 
 /// Fills holes of a triangle mesh: triangulates, refines and fairs each. `positions` is #V by 3, `triangles` #T by 3,
 /// counter-clockwise seen from the side that normals point to.
@@ -169,7 +146,7 @@ fn filled(
     options.validate()?;
     on_workers(options.fairing.threads, progress, |progress, interrupt| {
         fill_within(positions, triangles, options, progress, interrupt)
-    })?
+    })
 }
 
 /// [`fill_holes`] as a part of another run, on its threads, which tells of it and stops it. The options are valid.
@@ -203,13 +180,17 @@ pub(super) fn fill_within(
     let mut order: Vec<usize> = (0..groups.len()).collect();
     order.sort_by_key(|&i| edges(i));
     let is_checked = options.fairing.intersections == Intersections::Check;
-    let chosen = (0..groups.len()).map(of_group);
     let asked = asked_for(options, positions, &loops);
+    let objections: Vec<Option<OpenReason>> = (0..groups.len())
+        .map(|i| objection(options, &asked, &groups[i], (&of_group(i), positions)))
+        .collect();
+    let is_filled = |i: usize| objections[i].is_none();
+    // What stays open is no work, and has no surroundings.
+    let chosen = (0..groups.len()).map(|i| if is_filled(i) { of_group(i) } else { Vec::new() });
+    let work = |i: usize| if is_filled(i) { edges(i) } else { 0 };
     let mut rims = Rims::none(groups.len(), positions);
     if options.rim.relax > 0 {
-        let is_filled =
-            |i: &usize| objection(options, &asked, &groups[*i], (&of_group(*i), positions)).is_none();
-        let filled: Vec<usize> = (0..groups.len()).filter(is_filled).collect();
+        let filled: Vec<usize> = (0..groups.len()).filter(|&i| is_filled(i)).collect();
         rims.relax(options, &links, filled.iter().map(|&i| (i, of_group(i))));
     }
     let mut run = FillRun {
@@ -223,9 +204,9 @@ pub(super) fn fill_within(
         options,
         fairing: &fairing,
         interrupt,
-        asked,
+        objections: &objections,
         guides,
-        work: FillProgress::new(triangles.len(), options.density, (0..groups.len()).map(edges)),
+        work: FillProgress::new(triangles.len(), options.density, (0..groups.len()).map(work)),
         cancelled: false,
     };
     let mut pieces: Vec<Option<(PatchSurface, f64)>> = groups.iter().map(|_| None).collect();
@@ -237,7 +218,7 @@ pub(super) fn fill_within(
             let copies: Vec<u32> = boundary.iter().flat_map(|of| of.copies(triangles)).collect();
             piece.name_copies(&copies);
         }
-        run.work.end(edges(i));
+        run.work.end(work(i));
         pieces[i] = Some((piece, clock.seconds()));
     }
     let open = |i: &usize| {
@@ -332,8 +313,8 @@ struct FillRun<'m> {
     /// In the joined mesh's numbers.
     fairing: &'m Options,
     interrupt: &'m Interrupt,
-    /// Per loop whether it has the size and the place that are asked for.
-    asked: Vec<bool>,
+    /// Per group what speaks against filling it.
+    objections: &'m [Option<OpenReason>],
     /// Per group its guides, by the places of their ends.
     guides: Vec<Vec<[u32; 2]>>,
     work: FillProgress,
@@ -349,8 +330,8 @@ impl FillRun<'_> {
         loops: &[&BoundaryLoop],
         callback: &mut ProgressCallback<'_>,
     ) -> PatchSurface {
-        if let Some(reason) = objection(self.options, &self.asked, group, (loops, self.positions)) {
-            return PatchSurface::open(reason);
+        if let Some(reason) = &self.objections[i] {
+            return PatchSurface::open(*reason);
         }
         if self.cancelled {
             return PatchSurface::open(OpenReason::Cancelled);
@@ -439,59 +420,4 @@ impl FillRun<'_> {
 
 fn edge(a: u32, b: u32) -> (u32, u32) {
     (a.min(b), a.max(b))
-}
-
-impl Filled {
-    /// Appends a piece and its report.
-    pub(super) fn append(&mut self, piece: PatchSurface, group: &LoopGroup, edges: usize, seconds: f64) {
-        let (vertex, triangle) = (self.positions.len() as u32, self.triangles.len() as u32);
-        let boundary = piece.boundary.len() as u32;
-        let number = |v: u32| {
-            if v < boundary {
-                piece.boundary[v as usize]
-            } else {
-                vertex + (v - boundary)
-            }
-        };
-        self.positions.extend(&piece.positions);
-        self.triangles
-            .extend(piece.triangles.iter().map(|t| t.map(number)));
-        self.parents.extend(&piece.parents);
-        let mut fairing = piece.fairing;
-        if let Some(report) = &mut fairing {
-            let (known, known_triangles) = (&piece.known, &piece.known_triangles);
-            renumber(
-                report,
-                |v| {
-                    let known_count = known.len() as u32;
-                    known
-                        .get(v as usize)
-                        .copied()
-                        .unwrap_or_else(|| vertex + v - known_count)
-                },
-                |t| {
-                    let known_count = known_triangles.len() as u32;
-                    let known = known_triangles.get(t as usize).copied();
-                    known.unwrap_or_else(|| triangle + t - known_count)
-                },
-            );
-        }
-        self.loops.push(LoopReport {
-            index: group.loops[0],
-            loops: group.loops.clone(),
-            joined: group.reason,
-            edges,
-            outcome: piece.outcome,
-            vertices: vertex..self.positions.len() as u32,
-            triangles: triangle..self.triangles.len() as u32,
-            fairing,
-            worst_angle: piece.worst_angle,
-            outside: piece.outside.iter().map(|&i| vertex + i).collect(),
-            coarsened: piece.coarsened,
-            normals_reached: piece.normals_reached,
-            self_intersections: Vec::new(),
-            rim: None,
-            seconds,
-        });
-    }
 }

@@ -31,6 +31,7 @@ mod long;
 mod outcomes;
 mod outer_boundaries;
 mod paper;
+mod progress;
 mod refill;
 mod regions;
 mod rim;
