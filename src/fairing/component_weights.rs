@@ -2,7 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use crate::solve::control::{Callback, Interrupt};
+use fairmesh_linear::interrupt::is_stopped;
+
+use crate::solve::control::Callback;
 
 /// Components with a smaller share are told of together: for each of thousands, the callback would take longer than the work.
 /// Half or double, of 128 cases: none changes.
@@ -16,7 +18,6 @@ pub(super) const PREPARED: f64 = 0.08;
 /// What is told of all components.
 pub(super) struct ComponentWeights<'a> {
     callback: Option<&'a mut Callback<'a>>,
-    interrupt: Interrupt,
     /// The fraction at which the first component began.
     begun: f64,
     free_vertices: usize,
@@ -32,7 +33,6 @@ impl<'a> ComponentWeights<'a> {
     /// Of components with so many free vertices, of which such a fraction is done, in a run that has come as far as `begun`.
     pub(super) fn new(
         callback: Option<&'a mut Callback<'a>>,
-        interrupt: &Interrupt,
         begun: f64,
         components: impl Iterator<Item = (usize, f64)> + Clone,
     ) -> Self {
@@ -40,7 +40,6 @@ impl<'a> ComponentWeights<'a> {
         let done = components.map(|(free, fraction)| fraction * share(free, free_vertices));
         Self {
             callback,
-            interrupt: interrupt.clone(),
             begun,
             free_vertices,
             done: done.sum(),
@@ -59,7 +58,7 @@ impl<'a> ComponentWeights<'a> {
         let done = (self.done + share * fraction).min(1.0);
         let fraction = self.begun + (1.0 - self.begun) * done;
         let is_due = share >= SMALLEST || fraction >= self.told + SMALLEST;
-        self.is_stopped |= self.interrupt.is_set();
+        self.is_stopped |= is_stopped();
         if let (true, false, Some(callback)) = (is_due, self.is_stopped, &mut self.callback) {
             self.told = self.told.max(fraction);
             self.is_stopped |= callback(self.told, iterations, step, phase).is_break();

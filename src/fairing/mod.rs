@@ -26,7 +26,6 @@ pub use crate::mesh::coincident::Coincident;
 pub use crate::mesh::selection::Selection;
 use crate::paper::{self, PaperResult};
 use crate::solve::control::Callback;
-pub(crate) use crate::solve::control::Interrupt;
 use crate::solve::{Control, Ladder};
 use crate::support::error::Error;
 use crate::support::profile;
@@ -82,9 +81,7 @@ pub fn fair(
     options: &Options,
 ) -> Result<Solution, Error> {
     options.validate()?;
-    let untold = Interrupt::default();
-    Workers::new(options.threads)?
-        .install(|| run_joined(positions, triangles, selection, options, None, &untold))
+    Workers::new(options.threads)?.install(|| run_joined(positions, triangles, selection, options, None))
 }
 
 /// [`fair`], which calls `progress` on the calling thread: after every iteration, more often while the start is made, and
@@ -122,7 +119,8 @@ pub fn fair_with_progress(
     relay(
         &Workers::new(options.threads)?,
         progress,
-        |told, interrupt| run_joined(positions, triangles, selection, options, Some(told), interrupt),
+        true,
+        |told| run_joined(positions, triangles, selection, options, Some(told)),
         Result::is_ok,
     )?
 }
@@ -134,7 +132,6 @@ pub(crate) fn fair_within(
     selection: Selection<'_>,
     options: &Options,
     progress: &mut ProgressCallback<'_>,
-    interrupt: &Interrupt,
 ) -> Result<Solution, Error> {
     let mut tell = |fraction, iterations, step, phase| {
         progress(&Progress {
@@ -144,39 +141,27 @@ pub(crate) fn fair_within(
             phase,
         })
     };
-    run_joined(
-        positions,
-        triangles,
-        selection,
-        options,
-        Some(&mut tell),
-        interrupt,
-    )
+    run_joined(positions, triangles, selection, options, Some(&mut tell))
 }
 
-/// Runs `work` on a pool of so many threads. It is handed what tells `progress`, which is called on this thread, and what is set when
-/// that stops the run.
+/// Runs `work` on a pool of so many threads. It is handed what tells `progress`, which is called on this thread.
 pub(crate) fn on_workers<T: Send>(
     threads: usize,
     progress: Option<&mut ProgressCallback<'_>>,
-    work: impl FnOnce(&mut ProgressCallback<'_>, &Interrupt) -> Result<T, Error> + Send,
+    work: impl FnOnce(&mut ProgressCallback<'_>) -> Result<T, Error> + Send,
 ) -> Result<T, Error> {
     let workers = Workers::new(threads)?;
     match progress {
         Some(progress) => relay(
             &workers,
             progress,
-            |told, interrupt| {
-                work(
-                    &mut |p: &Progress| told(p.fraction, p.iterations, p.step, p.phase),
-                    interrupt,
-                )
-            },
+            true,
+            |told| work(&mut |p: &Progress| told(p.fraction, p.iterations, p.step, p.phase)),
             Result::is_ok,
         )?,
         None => {
             let mut untold = |_: &Progress| ControlFlow::Continue(());
-            workers.install(|| work(&mut untold, &Interrupt::default()))
+            workers.install(|| work(&mut untold))
         }
     }
 }
@@ -188,7 +173,6 @@ fn run_joined<'a>(
     selection: Selection<'_>,
     options: &Options,
     progress: Option<&'a mut Callback<'a>>,
-    interrupt: &Interrupt,
 ) -> Result<Solution, Error> {
     let clock = Stopwatch::start();
     let joined = {
@@ -204,7 +188,6 @@ fn run_joined<'a>(
         selected.selection(),
         &asked,
         progress,
-        interrupt,
     )
     .map_err(|error| in_given(error, &joined.copies, options))?;
     joined::spread(&mut solution, &joined.copies);
@@ -219,7 +202,6 @@ fn run<'a>(
     selection: Selection<'_>,
     options: &Options,
     progress: Option<&'a mut Callback<'a>>,
-    interrupt: &Interrupt,
 ) -> Result<Solution, Error> {
     let clock = Stopwatch::start();
     let _clock = profile::clock("rest");
@@ -232,10 +214,10 @@ fn run<'a>(
     )?;
     let setup = clock.seconds();
     let undone = components.iter().map(|prepared| (prepared.free(), 0.0));
-    let mut shares = ComponentWeights::new(progress, interrupt, PREPARED, undone);
+    let mut shares = ComponentWeights::new(progress, PREPARED, undone);
     let mut solutions = Vec::with_capacity(components.len());
     for prepared in components {
-        solutions.push(component(&prepared, options, &mut shares, interrupt)?);
+        solutions.push(component(&prepared, options, &mut shares)?);
         shares.end(prepared.free(), 1.0);
     }
     solutions[0].seconds.setup = setup;
@@ -247,7 +229,6 @@ fn component(
     prepared: &Prepared,
     options: &Options,
     shares: &mut ComponentWeights<'_>,
-    interrupt: &Interrupt,
 ) -> Result<ComponentSolution, Error> {
     let clock = Stopwatch::start();
     let problem = prepared.problem();
@@ -257,7 +238,6 @@ fn component(
     let (result, state, levels) = match &options.solver {
         SolverKind::Fast => {
             let mut control = Control::new(options.tolerance, options.max_iterations, Some(&mut tell));
-            control.interrupt = interrupt.clone();
             let (result, state) = Ladder::default()
                 .solve(&problem, &mut control)
                 .map_err(nothing_fixed)?;

@@ -25,7 +25,7 @@ use std::borrow::Cow;
 
 use crate::mesh::coincident::{Copies, SelectedElements};
 use crate::mesh::{Joined, RegionMesh};
-use crate::solve::control::{Callback, Interrupt};
+use crate::solve::control::Callback;
 use crate::support::error::Error;
 use crate::support::stopwatch::Stopwatch;
 use cursor::Cursor;
@@ -207,7 +207,7 @@ impl Components {
         told: Option<&'a mut Callback<'a>>,
     ) -> Result<(), Error> {
         let stand = self.cursors.iter().map(|c| (c.free(), c.fraction()));
-        let mut shares = ComponentWeights::new(told, &Interrupt::default(), 0.0, stand);
+        let mut shares = ComponentWeights::new(told, 0.0, stand);
         for (cursor, solution) in self.cursors.iter_mut().zip(&mut self.solutions) {
             if cursor.is_over() {
                 continue;
@@ -318,7 +318,8 @@ impl Solver {
                 relay(
                     &self.workers,
                     callback,
-                    |told, _| {
+                    false,
+                    |told| {
                         let ran = input.run(components, edits, iterations, Some(told));
                         (ran, components.are_over())
                     },

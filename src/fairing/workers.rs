@@ -5,10 +5,11 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use fairmesh_linear::interrupt::Interrupt;
 use fairmesh_linear::parallel;
 
 use crate::fairing::report::{Progress, ProgressCallback};
-use crate::solve::control::{Callback, Interrupt};
+use crate::solve::control::Callback;
 use crate::support::error::Error;
 
 /// So often the callback is called where the work has nothing to tell: it may want to stop.
@@ -16,12 +17,13 @@ use crate::support::error::Error;
 const TICK: Duration = Duration::from_millis(50);
 
 /// Runs `work` on the pool and `callback` on this thread, which waits for it in between. `work` is handed what sends to the
-/// callback, and what is set when the callback stops the run. What is told never falls, and is 1 at the end of a run that
-/// `is_whole`.
+/// callback. When the callback stops a run that `breaks_off`, everything in it is told to. What is told never falls, and is 1 at the
+/// end of a run that `is_whole`.
 pub(super) fn relay<T: Send>(
     workers: &Workers,
     callback: &mut ProgressCallback<'_>,
-    work: impl for<'t> FnOnce(&'t mut Callback<'t>, &Interrupt) -> T + Send,
+    breaks_off: bool,
+    work: impl for<'t> FnOnce(&'t mut Callback<'t>) -> T + Send,
     is_whole: impl FnOnce(&T) -> bool,
 ) -> Result<T, Error> {
     let (to_caller, messages) = mpsc::channel::<Progress>();
@@ -38,11 +40,10 @@ pub(super) fn relay<T: Send>(
             .and_then(|()| answers.recv().ok())
             .unwrap_or(ControlFlow::Break(()))
     };
-    let interrupt = Interrupt::default();
-    let theirs = interrupt.clone();
+    let mut is_stopped = false;
     std::thread::scope(|scope| {
         let worker = std::thread::Builder::new()
-            .spawn_scoped(scope, move || workers.install(move || work(&mut tell, &theirs)))
+            .spawn_scoped(scope, move || workers.install(move || work(&mut tell)))
             .map_err(|e| Error::Threads {
                 threads: 1,
                 why: e.to_string(),
@@ -66,11 +67,14 @@ pub(super) fn relay<T: Send>(
             let told = match message {
                 Err(RecvTimeoutError::Disconnected) => break,
                 // Who has asked to stop is not asked again.
-                _ if interrupt.is_set() => ControlFlow::Break(()),
+                _ if is_stopped => ControlFlow::Break(()),
                 _ => callback(&last),
             };
             if told.is_break() {
-                interrupt.set();
+                is_stopped = true;
+                if breaks_off {
+                    workers.interrupt.set();
+                }
             }
             if message.is_ok() && answer.send(told).is_err() {
                 break;
@@ -78,7 +82,7 @@ pub(super) fn relay<T: Send>(
         }
         match worker.join() {
             Ok(result) => {
-                if !interrupt.is_set() && is_whole(&result) {
+                if !is_stopped && is_whole(&result) {
                     // There is nothing left to be stopped.
                     let _ = callback(&Progress {
                         fraction: 1.0,
@@ -97,6 +101,8 @@ pub(crate) struct Workers {
     // Dropped first: that ends the threads.
     pool: rayon::ThreadPool,
     _threads: Threads,
+    /// The flag that its threads heed.
+    interrupt: Interrupt,
 }
 
 /// Waits for the threads.
@@ -114,12 +120,16 @@ impl Workers {
     /// So many threads; 0: as many as the machine has.
     pub(crate) fn new(threads: usize) -> Result<Self, Error> {
         let mut handles = Threads(Vec::new());
+        let interrupt = Interrupt::default();
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .spawn_handler(|thread| {
-                handles
-                    .0
-                    .push(std::thread::Builder::new().spawn(|| thread.run())?);
+                let theirs = interrupt.clone();
+                let run = move || {
+                    theirs.heed();
+                    thread.run();
+                };
+                handles.0.push(std::thread::Builder::new().spawn(run)?);
                 Ok(())
             })
             .build();
@@ -127,6 +137,7 @@ impl Workers {
             Ok(pool) => Ok(Self {
                 pool,
                 _threads: handles,
+                interrupt,
             }),
             Err(e) => Err(Error::Threads {
                 threads,

@@ -15,7 +15,7 @@ use super::options::{FillOptions, Join, Loops};
 use super::outcome::{FillOutcome, LoopReport};
 use super::parents::compose;
 use super::rim::Rim;
-use crate::fairing::{Interrupt, Outcome, Progress, ProgressCallback, Selection, fair_within, on_workers};
+use crate::fairing::{Outcome, Progress, ProgressCallback, Selection, fair_within, on_workers};
 use crate::mesh::Joined;
 use crate::support::error::Error;
 use crate::support::options::options;
@@ -110,11 +110,9 @@ fn bridged(
     progress: Option<&mut ProgressCallback<'_>>,
 ) -> Result<Bridged, Error> {
     options.validate()?;
-    on_workers(
-        options.filling.fairing.threads,
-        progress,
-        |progress, interrupt| run(positions, triangles, chains, options, progress, interrupt),
-    )
+    on_workers(options.filling.fairing.threads, progress, |progress| {
+        run(positions, triangles, chains, options, progress)
+    })
 }
 
 fn run(
@@ -123,7 +121,6 @@ fn run(
     chains: [&[u32]; 2],
     options: &BridgeOptions,
     progress: &mut ProgressCallback<'_>,
-    interrupt: &Interrupt,
 ) -> Result<Bridged, Error> {
     let filling = &options.filling;
     let joined = Joined::new(positions, triangles, filling.fairing.coincident)?;
@@ -138,11 +135,11 @@ fn run(
     let share = if options.fill { THIRD } else { 1.0 };
     let strip = Strip::new(&links, positions, &ends, filling)?;
     let mut tell = part(progress, 0.0, share);
-    let mut bridged = strip.make(&joined, triangles, filling, &mut tell, interrupt)?;
+    let mut bridged = strip.make(&joined, triangles, filling, &mut tell)?;
     drop(tell);
     let is_there = !matches!(bridged.strip.outcome, FillOutcome::LeftOpen(_));
     if options.fill && is_there {
-        bridged.fill_rest(positions.len() as u32, &strip, filling, progress, interrupt)?;
+        bridged.fill_rest(positions.len() as u32, &strip, filling, progress)?;
     }
     Ok(bridged)
 }
@@ -169,7 +166,6 @@ impl Bridged {
         strip: &Strip<'_>,
         filling: &FillOptions,
         progress: &mut ProgressCallback<'_>,
-        interrupt: &Interrupt,
     ) -> Result<(), Error> {
         let coincident = filling.fairing.coincident;
         let loops = boundary_loops_joined(&self.positions, &self.triangles, coincident)?;
@@ -190,7 +186,7 @@ impl Bridged {
         };
         let filled = {
             let mut tell = part(progress, THIRD, THIRD);
-            fill_within(&self.positions, &self.triangles, &options, &mut tell, interrupt)?
+            fill_within(&self.positions, &self.triangles, &options, &mut tell)?
         };
         let first = self.parents.len();
         self.parents.extend(&filled.parents);
@@ -212,14 +208,7 @@ impl Bridged {
         let options = strip.with_normals(&filling.fairing);
         let mut tell = part(progress, 2.0 * THIRD, THIRD);
         let selection = Selection::Vertices(&free);
-        match fair_within(
-            &self.positions,
-            &self.triangles,
-            selection,
-            &options,
-            &mut tell,
-            interrupt,
-        ) {
+        match fair_within(&self.positions, &self.triangles, selection, &options, &mut tell) {
             Ok(solution) => {
                 if solution.report.outcome == Outcome::Converged {
                     self.positions = solution.positions;

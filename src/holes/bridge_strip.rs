@@ -2,6 +2,7 @@
 
 use std::f64::consts::{SQRT_2, TAU};
 
+use fairmesh_linear::interrupt::is_stopped;
 use nalgebra::Vector3;
 
 use super::attempts::Check;
@@ -18,7 +19,7 @@ use super::options::{FillOptions, largest_patch};
 use super::outcome::{FillOutcome, OpenReason};
 use super::parents::{Parents, compose};
 use super::surroundings::Surroundings;
-use crate::fairing::{BoundaryNormals, Interrupt, Intersections, Options, ProgressCallback, joined_options};
+use crate::fairing::{BoundaryNormals, Intersections, Options, ProgressCallback, joined_options};
 use crate::holes::local_frame::local_options;
 use crate::holes::patch_surface::{PatchSurface, Task};
 use crate::mesh::{Joined, NONE};
@@ -183,7 +184,6 @@ impl<'m> Strip<'m> {
         triangles: &[[u32; 3]],
         filling: &FillOptions,
         tell: &mut ProgressCallback<'_>,
-        interrupt: &Interrupt,
     ) -> Result<Bridged, Error> {
         let clock = Stopwatch::start();
         let positions = self.all_positions();
@@ -193,7 +193,7 @@ impl<'m> Strip<'m> {
                 let [a, b] = [self.chains[0].of, self.chains[1].of];
                 PatchSurface::open(OpenReason::OppositeSides { a, b })
             }
-            false => self.piece(joined, (&positions, &boundary), filling, tell, interrupt)?,
+            false => self.piece(joined, (&positions, &boundary), filling, tell)?,
         };
         let is_there = !matches!(piece.outcome, FillOutcome::LeftOpen(_));
         let old = self.positions.len();
@@ -259,7 +259,6 @@ impl<'m> Strip<'m> {
         (positions, boundary): (&[[f64; 3]], &BoundaryLoop),
         filling: &FillOptions,
         tell: &mut ProgressCallback<'_>,
-        interrupt: &Interrupt,
     ) -> Result<PatchSurface, Error> {
         let surroundings = self.surroundings(positions, boundary);
         let fairing = self.with_normals(&joined_options(&joined.copies, &filling.fairing));
@@ -272,7 +271,6 @@ impl<'m> Strip<'m> {
             fair: filling.fair,
             options: local_options(&surroundings, &fairing),
             precision: filling.fairing.output_precision,
-            interrupt,
         };
         let mut neighbours = (filling.fairing.intersections == Intersections::Check).then(|| {
             let chosen = std::iter::once(vec![boundary]);
@@ -282,7 +280,11 @@ impl<'m> Strip<'m> {
             of: 0,
             neighbours: neighbours.as_mut(),
         };
-        Ok(task.settled(check, filling.on_failure, tell))
+        let piece = task.settled(check, filling.on_failure, tell);
+        Ok(match is_stopped() {
+            true => PatchSurface::open(OpenReason::Cancelled),
+            false => piece,
+        })
     }
 
     /// Where the sides' vertices come from: from the corners at both their ends.

@@ -1,7 +1,8 @@
 //! The public entry: all holes of a mesh, one after the other.
 
 use std::collections::HashSet;
-use std::ops::ControlFlow;
+
+use fairmesh_linear::interrupt::is_stopped;
 
 use super::attempts::Check;
 use super::crossing::Neighbours;
@@ -16,7 +17,7 @@ use super::outcome::{FillOutcome, OpenReason};
 use super::rim::Rims;
 use super::surroundings::Surroundings;
 use crate::fairing::{
-    Interrupt, Intersections, Options, Progress, ProgressCallback, SelfIntersections, check_loops, in_given,
+    Intersections, Options, Progress, ProgressCallback, SelfIntersections, check_loops, in_given,
     joined_options, on_workers,
 };
 use crate::holes::fill_progress::{FillProgress, Tries};
@@ -64,8 +65,7 @@ pub fn fill_holes(
 /// loops that are not done stay open.
 ///
 /// ```
-/// use std::ops::ControlFlow;
-/// use fairmesh::{FillOptions, FillOutcome, OpenReason, fill_holes_with_progress};
+/// /// use fairmesh::{FillOptions, FillOutcome, OpenReason, fill_holes_with_progress};
 /// # let positions = [
 /// #     [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0],
 /// # ];
@@ -144,8 +144,8 @@ fn filled(
     progress: Option<&mut ProgressCallback<'_>>,
 ) -> Result<Filled, Error> {
     options.validate()?;
-    on_workers(options.fairing.threads, progress, |progress, interrupt| {
-        fill_within(positions, triangles, options, progress, interrupt)
+    on_workers(options.fairing.threads, progress, |progress| {
+        fill_within(positions, triangles, options, progress)
     })
 }
 
@@ -155,7 +155,6 @@ pub(super) fn fill_within(
     triangles: &[[u32; 3]],
     options: &FillOptions,
     progress: &mut ProgressCallback<'_>,
-    interrupt: &Interrupt,
 ) -> Result<Filled, Error> {
     let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
     let fairing = joined_options(&joined.copies, &options.fairing);
@@ -203,11 +202,9 @@ pub(super) fn fill_within(
         left: options.max_new_vertices,
         options,
         fairing: &fairing,
-        interrupt,
         objections: &objections,
         guides,
         work: FillProgress::new(triangles.len(), options.density, (0..groups.len()).map(work)),
-        cancelled: false,
     };
     let mut pieces: Vec<Option<(PatchSurface, f64)>> = groups.iter().map(|_| None).collect();
     for i in order {
@@ -312,13 +309,11 @@ struct FillRun<'m> {
     options: &'m FillOptions,
     /// In the joined mesh's numbers.
     fairing: &'m Options,
-    interrupt: &'m Interrupt,
     /// Per group what speaks against filling it.
     objections: &'m [Option<OpenReason>],
     /// Per group its guides, by the places of their ends.
     guides: Vec<Vec<[u32; 2]>>,
     work: FillProgress,
-    cancelled: bool,
 }
 
 impl FillRun<'_> {
@@ -333,7 +328,7 @@ impl FillRun<'_> {
         if let Some(reason) = &self.objections[i] {
             return PatchSurface::open(*reason);
         }
-        if self.cancelled {
+        if is_stopped() {
             return PatchSurface::open(OpenReason::Cancelled);
         }
         let mut surroundings = Surroundings::new(self.links, self.positions, loops, &mut self.place);
@@ -352,18 +347,12 @@ impl FillRun<'_> {
         }
         let edges = surroundings.loop_vertices;
         let (done, share) = self.work.share(edges);
-        let (mut cancelled, mut tries) = (false, Tries::new());
+        let mut tries = Tries::new();
         let mut tell = |progress: &Progress| {
-            // Who has asked to stop is not asked again.
-            if cancelled {
-                return ControlFlow::Break(());
-            }
-            let answer = callback(&Progress {
+            callback(&Progress {
                 fraction: done + share * tries.reached(progress.fraction),
                 ..*progress
-            });
-            cancelled |= answer.is_break();
-            answer
+            })
         };
         let task = Task {
             surroundings: &surroundings,
@@ -374,15 +363,13 @@ impl FillRun<'_> {
                 .rims
                 .with_normals(i, &surroundings, local_options(&surroundings, self.fairing)),
             precision: self.options.fairing.output_precision,
-            interrupt: self.interrupt,
         };
         let check = Check {
             of: i,
             neighbours: self.neighbours.as_mut(),
         };
         let piece = task.settled(check, self.options.on_failure, &mut tell);
-        self.cancelled = cancelled;
-        if cancelled {
+        if is_stopped() {
             return PatchSurface::open(OpenReason::Cancelled);
         }
         self.left -= piece.positions.len();

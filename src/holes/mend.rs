@@ -1,6 +1,7 @@
 //! What is left after refinement: single triangles with a small angle, nearly all of them at the boundary, whose edges have to
 //! stay. Around each an edge is split or a vertex removed, if that makes the smallest angle there larger.
 
+use fairmesh_linear::interrupt::is_stopped;
 use nalgebra::Vector3;
 
 use super::refine::Refiner;
@@ -42,14 +43,14 @@ impl Refiner<'_> {
             let mut near = Vec::new();
             for &t in &bad {
                 self.gather(t, &mut near);
-                if near.len() > most {
+                if near.len() > most || is_stopped() {
                     return;
                 }
             }
             self.settle(&mut near);
             for t in bad {
                 self.mend_one(t, &mut near);
-                if near.len() > most {
+                if near.len() > most || is_stopped() {
                     break;
                 }
             }

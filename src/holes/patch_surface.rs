@@ -3,11 +3,12 @@
 //! The triangulation of a large hole is far from the surface that it becomes, and edges of the right length there would be
 //! too long on it. So a coarse patch is faired first, loosely, and the fine one is refined on that.
 
+use fairmesh_linear::interrupt::is_stopped;
 use nalgebra::Vector3;
 
 use crate::fairing::{
-    BoundaryNormals, Interrupt, Options, Outcome, OutputPrecision, Progress, ProgressCallback, Report,
-    Selection, Solution, fair_within,
+    BoundaryNormals, Options, Outcome, OutputPrecision, Progress, ProgressCallback, Report, Selection,
+    Solution, fair_within,
 };
 use crate::holes::joint;
 use crate::holes::local_frame::{first_of_loops, in_units};
@@ -44,7 +45,6 @@ const SHORTEST: f64 = 1.0 / 30.0;
 /// A patch may leave the boundary's bounding box by this much of its diagonal without being named.
 /// Of 41 cases, half: 2 change, 1 get another triangulation; double: 4 change, -3 % iterations.
 const ROOM: f64 = 0.25;
-
 /// A patch whose smallest angle (degrees) is below this is refined and faired once more.
 /// Of 40 cases, half: 1 changes, 1 get another triangulation; double: 4 change, 3 get another triangulation.
 const ENOUGH: f64 = 15.0;
@@ -161,11 +161,10 @@ pub(super) struct Task<'a> {
     pub(super) options: Options,
     /// What the mesh will be written in.
     pub(super) precision: OutputPrecision,
-    pub(super) interrupt: &'a Interrupt,
 }
 
-/// Asks between two parts of the work.
-fn is_stopped(tell: &mut ProgressCallback<'_>, fraction: f64) -> bool {
+/// Tells between two parts of the work, and says whether that stops it.
+fn is_stopped_at(tell: &mut ProgressCallback<'_>, fraction: f64) -> bool {
     tell(&Progress {
         fraction,
         iterations: 0,
@@ -201,17 +200,20 @@ impl Task<'_> {
             let reason = FlatReason::NotAsked;
             return self.piece(&coarse, patch, FillOutcome::Flat { reason }, None, coarsened);
         }
-        if is_stopped(tell, 0.0) {
+        if is_stopped_at(tell, 0.0) {
             return PatchSurface::open(OpenReason::Cancelled);
         }
         match self.is_joint() {
             true => self.shape_joint(&mut patch, tell),
             false => self.shape(&mut patch, tell),
         }
-        if is_stopped(tell, COARSE_SHARE) {
+        if is_stopped_at(tell, COARSE_SHARE) {
             return PatchSurface::open(OpenReason::Cancelled);
         }
         let coarsened = !self.refine(&mut patch);
+        if is_stopped_at(tell, REFINED) {
+            return PatchSurface::open(OpenReason::Cancelled);
+        }
         if patch.x.len() == patch.fixed {
             let reason = FlatReason::NoInnerVertex;
             return self.piece(&coarse, patch, FillOutcome::Flat { reason }, None, coarsened);
@@ -343,7 +345,8 @@ impl Task<'_> {
         }
     }
 
-    /// Refines to the end; coarser inside if the vertices do not suffice. False: they did not.
+    /// Refines to the end; coarser inside if the vertices do not suffice. False: they did not. Where the run is stopped the patch stays
+    /// as it is.
     pub(super) fn refine(&self, patch: &mut Patch) -> bool {
         let mut growth = 0.0;
         loop {
@@ -351,11 +354,13 @@ impl Task<'_> {
             let mut refined = patch.clone();
             let mut refiner = Refiner::new(&mut refined, fineness, &self.surroundings.taken);
             let is_last = growth > LAST_GROWTH;
-            let enough = if is_last {
-                refiner.run_to_end()
-            } else {
-                refiner.run()
+            let enough = match is_last {
+                true => refiner.run_to_end(),
+                false => refiner.run(),
             };
+            if is_stopped() {
+                return true;
+            }
             if enough || is_last {
                 *patch = refined;
                 return growth == 0.0;
@@ -373,23 +378,20 @@ impl Task<'_> {
     ) -> Result<Solution, Error> {
         let around = self.surroundings;
         let (n, known) = (around.loop_vertices as u32, around.x.len() as u32);
-        let inner = patch.x[patch.fixed..].iter();
-        let positions: Vec<[f64; 3]> = around.x.iter().chain(inner).map(|&p| p.into()).collect();
+        let all = around.x.iter().chain(&patch.x[patch.fixed..]);
+        let positions: Vec<[f64; 3]> = all.map(|&p| p.into()).collect();
         let number = |v: u32| if v < n { v } else { known + (v - n) };
         let mut triangles = around.triangles.clone();
         triangles.extend(patch.triangles.iter().map(|t| t.map(number)));
         let free: Vec<u32> = (known..positions.len() as u32).collect();
         let selection = Selection::Vertices(&free);
-        fair_within(&positions, &triangles, selection, options, tell, self.interrupt)
+        fair_within(&positions, &triangles, selection, options, tell)
     }
 
     /// The new vertices of a solution.
     pub(super) fn inner(&self, solution: &Solution) -> Vec<Vector3<f64>> {
-        let known = self.surroundings.x.len();
-        solution.positions[known..]
-            .iter()
-            .map(|&p| Vector3::from(p))
-            .collect()
+        let new = &solution.positions[self.surroundings.x.len()..];
+        new.iter().map(|&p| Vector3::from(p)).collect()
     }
 
     /// Which vertices the box of the loops, grown by [`ROOM`], does not hold.

@@ -6,6 +6,7 @@
 
 use std::collections::BinaryHeap;
 
+use fairmesh_linear::interrupt::is_stopped;
 use nalgebra::Vector3;
 
 use super::lenses::{Lenses, is_wide};
@@ -88,7 +89,8 @@ impl<'a> Refiner<'a> {
         }
     }
 
-    /// Splits, evens out, and drops what was removed. False if the vertices did not suffice; the patch is not finished then.
+    /// Splits, evens out, and drops what was removed. False if the vertices did not suffice, or the run was stopped; the patch is not
+    /// finished then.
     pub(super) fn run(&mut self) -> bool {
         self.flip_all();
         if !self.split_long(FIRST) {
@@ -110,6 +112,9 @@ impl<'a> Refiner<'a> {
         let most = self.fineness.most;
         self.fineness.most = most.min(MORE * self.inner_vertices() + self.patch.fixed);
         for _ in 0..ROUNDS {
+            if is_stopped() {
+                break;
+            }
             self.collapse_short();
             self.clear_boundary();
             self.flip_all();
@@ -119,11 +124,13 @@ impl<'a> Refiner<'a> {
             let is_bounded = self.fineness.most < most;
             enough &= self.split_long(LONG) || is_bounded;
         }
-        self.sweeps.relax(self.patch, &self.lenses);
-        self.clear_boundary();
-        self.flip_all();
-        self.mend();
-        self.split_chords();
+        if !is_stopped() {
+            self.sweeps.relax(self.patch, &self.lenses);
+            self.clear_boundary();
+            self.flip_all();
+            self.mend();
+            self.split_chords();
+        }
         self.fineness.most = most;
         self.finish();
         enough
@@ -144,7 +151,7 @@ impl<'a> Refiner<'a> {
 
     /// Sizes, limits and depths spread from the boundary inwards.
     pub(super) fn settle_sizes(&mut self, sweeps: usize) {
-        for _ in 0..sweeps {
+        for _ in (0..sweeps).take_while(|_| !is_stopped()) {
             self.sweeps.settle_sizes(self.patch);
         }
     }
@@ -197,7 +204,7 @@ impl<'a> Refiner<'a> {
             if self.would_encroach(h) {
                 continue;
             }
-            if inner >= self.fineness.most {
+            if inner >= self.fineness.most || is_stopped() {
                 return false;
             }
             inner += 1;
@@ -215,7 +222,7 @@ impl<'a> Refiner<'a> {
             return;
         }
         for h in 0..self.patch.half_edges() {
-            if self.is_inner(h) && self.is_chord(h) && self.splits_well(h) {
+            if self.is_inner(h) && self.is_chord(h) && self.splits_well(h) && !is_stopped() {
                 self.split_and_flip(h);
             }
         }
@@ -403,7 +410,7 @@ impl<'a> Refiner<'a> {
     fn flip(&mut self, mut stack: Vec<u32>, most: usize, mut flipped: impl FnMut(u32)) {
         let mut left = most;
         while let Some(h) = stack.pop() {
-            if left > 0 && self.should_flip(h) {
+            if left > 0 && self.should_flip(h) && !is_stopped() {
                 left -= 1;
                 let o = self.patch.across(h);
                 self.patch.flip(h);
@@ -433,7 +440,7 @@ impl<'a> Refiner<'a> {
                 SHORT
             };
             let wanted = 0.5 * (self.wanted(a) + self.wanted(b));
-            if self.patch.length(h) < short * wanted && self.stays_short(a, b, LONG) {
+            if self.patch.length(h) < short * wanted && self.stays_short(a, b, LONG) && !is_stopped() {
                 self.collapse(h);
             }
         }

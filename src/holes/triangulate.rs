@@ -14,6 +14,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+use fairmesh_linear::interrupt::is_stopped;
 use nalgebra::Vector3;
 
 /// Loops of up to this many edges are triangulated by dynamic programming alone.
@@ -116,7 +117,8 @@ impl Polygon<'_> {
         self.taken.binary_search(&edge).is_err() && !self.guides.iter().any(is_crossing)
     }
 
-    /// The triangles, in numbers of the loop's vertices, or `None` if there is no triangulation without the edges taken.
+    /// The triangles, in numbers of the loop's vertices, or `None` if there is no triangulation without the edges taken, or the run is
+    /// stopped.
     pub(super) fn triangulate(&self) -> Option<Vec<[u32; 3]>> {
         let mut triangles = Vec::with_capacity(self.x.len().saturating_sub(2));
         let (polygon, normals) = if self.x.len() > self.measure.dynamic() {
@@ -178,6 +180,9 @@ impl Polygon<'_> {
         }
         for span in 2..n {
             for i in 0..n - span {
+                if is_stopped() {
+                    return None;
+                }
                 let k = i + span;
                 // The last chord is an edge of the polygon.
                 let last = (span == n - 1).then(|| &beyond[n - 1]);
@@ -378,7 +383,7 @@ impl<'a> Ears<'a> {
     }
 
     fn cut(&mut self) -> Option<[u32; 3]> {
-        loop {
+        while !is_stopped() {
             let Reverse((cost, v, a, b, looked)) = self.queue.pop()?;
             let i = v as usize;
             if !self.alive[i] || self.prev[i] != a || self.next[i] != b {
@@ -401,6 +406,7 @@ impl<'a> Ears<'a> {
             self.push(b);
             return Some([a, v, b]);
         }
+        None
     }
 
     /// Whether the ball over the chord holds another vertex of what is left.

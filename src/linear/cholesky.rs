@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use super::front;
-use super::interrupt::Interrupt;
+use super::interrupt::is_stopped;
 use super::parallel;
 use super::real::Real;
 use super::symbolic::{Symbolic, Task};
@@ -29,7 +29,6 @@ pub struct NotPositiveDefinite {
 pub struct Cholesky<T> {
     symbolic: Arc<Symbolic>,
     panels: Vec<T>,
-    interrupt: Interrupt,
 }
 
 /// The update matrices of a factorization, a third of the factor's size. Factorizations one after the other share them.
@@ -78,13 +77,7 @@ impl<T: Real> Cholesky<T> {
         Self {
             symbolic,
             panels: Vec::new(),
-            interrupt: Interrupt::default(),
         }
-    }
-
-    /// Factorizations end early when this is set, with an error at a row that was not reached.
-    pub fn heed(&mut self, interrupt: &Interrupt) {
-        self.interrupt = interrupt.clone();
     }
 
     /// The structure of the factor.
@@ -138,11 +131,7 @@ impl<T: Real> Cholesky<T> {
             return Ok(());
         };
         let [even, odd] = &mut stacks.0;
-        let job = Job {
-            symbolic,
-            values,
-            interrupt: &self.interrupt,
-        };
+        let job = Job { symbolic, values };
         run(job, root, &mut self.panels, [even, odd]).map_err(|column| NotPositiveDefinite {
             row: symbolic.order[column] as usize,
         })
@@ -222,7 +211,6 @@ fn allocate<T: Real>(memory: &mut Vec<T>, size: usize) {
 struct Job<'a> {
     symbolic: &'a Symbolic,
     values: &'a [f64],
-    interrupt: &'a Interrupt,
 }
 
 /// Factors the supernodes of a task. `panels` and `updates` are the task's own parts of the memory. The
@@ -251,7 +239,7 @@ fn run<T: Real>(job: Job<'_>, task: usize, panels: &mut [T], updates: [&mut [T];
     let base = symbolic.panel_start[range.start];
     let mut work = front::PackedRows::default();
     for s in *top..range.end {
-        if job.interrupt.is_set() {
+        if is_stopped() {
             return Err(symbolic.first[s] as usize);
         }
         let panel = &mut panels[symbolic.panel_start[s] - base..symbolic.panel_start[s + 1] - base];
@@ -330,6 +318,7 @@ fn assemble<T: Real>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::interrupt::Interrupt;
     use crate::ordering::{amd, landmark_coordinates, nested_dissection};
     use crate::sparse::SymmetricPattern;
     use crate::sparse::tests::{Noise, grid, laplacian};
@@ -503,16 +492,16 @@ mod tests {
     }
 
     #[test]
-    fn an_interrupt_ends_it_and_a_new_one_does_not() {
+    fn an_interrupt_ends_it_and_another_one_does_not() {
         let (pattern, order) = meshes().swap_remove(4);
         let values = laplacian(&pattern, 0.5);
         let mut factor = factored::<f64>(&pattern, &order, &values);
         let interrupt = Interrupt::default();
-        factor.heed(&interrupt);
+        let before = interrupt.heed();
         assert_eq!(factor.factor(&values), Ok(()));
         interrupt.set();
         assert!(factor.factor(&values).is_err());
-        factor.heed(&Interrupt::default());
+        before.heed();
         assert_eq!(factor.factor(&values), Ok(()));
     }
 

@@ -2,8 +2,6 @@
 
 use std::ops::ControlFlow;
 
-pub(crate) use fairmesh_linear::interrupt::Interrupt;
-
 /// What is called after an iteration: fraction done, iterations, step norm, phase.
 pub(crate) type Callback<'a> = dyn FnMut(f64, usize, f64, &'static str) -> ControlFlow<()> + Send + 'a;
 
@@ -84,8 +82,6 @@ pub(crate) struct Control<'a> {
     /// Set when the callback asked to stop.
     pub cancelled: bool,
     hold: Option<Hold>,
-    /// Set when the run is to stop, also between two calls of the callback.
-    pub interrupt: Interrupt,
     callback: Option<&'a mut Callback<'a>>,
 }
 
@@ -98,7 +94,6 @@ impl<'a> Control<'a> {
             tolerance,
             cancelled: false,
             hold: None,
-            interrupt: Interrupt::default(),
             callback,
         }
     }
@@ -182,7 +177,6 @@ impl<'a> Control<'a> {
         max_iterations: usize,
         run: impl FnOnce(&mut Control<'_>) -> T,
     ) -> T {
-        let interrupt = self.interrupt.clone();
         let from = self.tally.fraction;
         let mut tell = |fraction: f64, _, _, _| {
             if self.phase(from + fraction * (to - from), phase) {
@@ -192,7 +186,6 @@ impl<'a> Control<'a> {
             }
         };
         let mut within = Control::new(tolerance, max_iterations, Some(&mut tell));
-        within.interrupt = interrupt;
         run(&mut within)
     }
 

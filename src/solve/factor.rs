@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use fairmesh_linear::cholesky::{Cholesky, NotPositiveDefinite, SolveWork, UpdateStacks};
-use fairmesh_linear::interrupt::Interrupt;
 use fairmesh_linear::symbolic::Symbolic;
 
 /// Single precision halves the memory traffic of a solve; it suffices wherever the solution is refined or only a
@@ -35,14 +34,6 @@ impl Factor {
             Self::Double(Cholesky::new(symbolic.clone()), SolveWork::default())
         } else {
             Self::Single(Cholesky::new(symbolic.clone()), SolveWork::default())
-        }
-    }
-
-    /// Factorizations fail from when this is set.
-    pub(crate) fn set_interrupt(&mut self, interrupt: &Interrupt) {
-        match self {
-            Self::Single(c, _) => c.heed(interrupt),
-            Self::Double(c, _) => c.heed(interrupt),
         }
     }
 

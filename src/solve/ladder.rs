@@ -162,7 +162,6 @@ impl Ladder {
         let clock = Stopwatch::start();
         let mut system = System::new(problem);
         let analysis_seconds = clock.seconds();
-        system.set_interrupt(&control.interrupt);
         control.phase(ANALYSED, initial::PHASE);
         Ok(match self.run(&mut system, control)? {
             LadderState::Ended(mut result) => {

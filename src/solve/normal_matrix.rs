@@ -12,7 +12,7 @@ use crate::mesh::Rings;
 use crate::mesh::graded::GradedMesh;
 use crate::support::profile::clock;
 use fairmesh_linear::cholesky::NotPositiveDefinite;
-use fairmesh_linear::interrupt::Interrupt;
+use fairmesh_linear::interrupt::is_stopped;
 use fairmesh_linear::ordering::fill_reducing;
 use fairmesh_linear::sparse::SymmetricPattern;
 use fairmesh_linear::symbolic::Symbolic;
@@ -50,7 +50,6 @@ impl Means {
 pub(crate) struct NormalMatrix {
     factored: Option<FactoredMatrix>,
     plate: Option<Plate>,
-    interrupt: Interrupt,
 }
 
 impl NormalMatrix {
@@ -59,7 +58,6 @@ impl NormalMatrix {
         Self {
             factored: Some(FactoredMatrix::new(rings, graph)),
             plate: None,
-            interrupt: Interrupt::default(),
         }
     }
 
@@ -68,18 +66,6 @@ impl NormalMatrix {
         Self {
             factored: None,
             plate: Some(Plate::new(mesh, rings, symbolic)),
-            interrupt: Interrupt::default(),
-        }
-    }
-
-    /// Factorizations fail from when this is set.
-    pub(crate) fn set_interrupt(&mut self, interrupt: &Interrupt) {
-        self.interrupt = interrupt.clone();
-        if let Some(plate) = &mut self.plate {
-            plate.set_interrupt(interrupt);
-        }
-        if let Some(factored) = &mut self.factored {
-            factored.factor.set_interrupt(interrupt);
         }
     }
 
@@ -99,7 +85,7 @@ impl NormalMatrix {
                 self.factored = None;
                 return Ok(());
             }
-            if self.interrupt.is_set() {
+            if is_stopped() {
                 return Err(Collapsed);
             }
             // The next surface is not far from this one.
@@ -108,7 +94,7 @@ impl NormalMatrix {
         let factored = self.factored_matrix(rings, graph);
         metric.assemble(rings, &factored.pattern, &mut factored.values);
         let made = factored.factor(stacks);
-        if made.is_err() && !self.interrupt.is_set() {
+        if made.is_err() && !is_stopped() {
             return self.factor_double(metric, rings, graph, stacks);
         }
         made.map_err(|_| Collapsed)
@@ -125,20 +111,15 @@ impl NormalMatrix {
         if self.is_double() {
             return Err(Collapsed);
         }
-        let interrupt = self.interrupt.clone();
         let factored = self.factored_matrix(rings, graph);
         metric.assemble(rings, &factored.pattern, &mut factored.values);
         factored.factor = Factor::new(&factored.symbolic, true);
-        factored.factor.set_interrupt(&interrupt);
         factored.factor(stacks).map_err(|_| Collapsed)
     }
 
     fn factored_matrix(&mut self, rings: &Rings, graph: &SymmetricPattern) -> &mut FactoredMatrix {
-        self.factored.get_or_insert_with(|| {
-            let mut factored = FactoredMatrix::new(rings, graph);
-            factored.factor.set_interrupt(&self.interrupt);
-            factored
-        })
+        self.factored
+            .get_or_insert_with(|| FactoredMatrix::new(rings, graph))
     }
 
     /// Whether a 64-bit factor of `P` is in use.

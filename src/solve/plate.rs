@@ -23,7 +23,6 @@ use crate::mesh::graded::GradedMesh;
 use crate::mesh::{RegionMesh, Rings};
 use crate::support::profile::clock;
 use fairmesh_linear::cholesky::{Cholesky, Passed, SolveWork, UpdateStacks};
-use fairmesh_linear::interrupt::Interrupt;
 use fairmesh_linear::parallel;
 use fairmesh_linear::sparse::SymmetricPattern;
 use fairmesh_linear::symbolic::Symbolic;
@@ -77,11 +76,6 @@ impl Plate {
             graded: GradedPlate::new(mesh),
             vectors: Default::default(),
         }
-    }
-
-    /// Factorizations fail from when this is set.
-    pub(crate) fn set_interrupt(&mut self, interrupt: &Interrupt) {
-        self.s.heed(interrupt);
     }
 
     /// Takes the matrix of this metric, that of the surface `x` or of connectivity; `pattern` is that of the free

@@ -21,7 +21,6 @@ use crate::quality::SurfaceState;
 use crate::solve::g2::boundary_curvature::AskedContinuity;
 use crate::solve::g2::equations::Continuity;
 use crate::support::profile::clock;
-use fairmesh_linear::interrupt::Interrupt;
 use fairmesh_linear::ordering::fill_reducing;
 use fairmesh_linear::parallel;
 use fairmesh_linear::sparse::SymmetricPattern;
@@ -135,12 +134,6 @@ impl System {
             normal_step: vec![[0.0]; free],
             tangential_step: vec![[0.0; 3]; free],
         }
-    }
-
-    /// Factorizations fail from when this is set; [`Control::checkpoint`](super::Control::checkpoint) tells whether it is.
-    pub(crate) fn set_interrupt(&mut self, interrupt: &Interrupt) {
-        self.g.set_interrupt(interrupt);
-        self.p.set_interrupt(interrupt);
     }
 
     /// Asks for other boundary normals from now on, and says where the surface passes smoothly instead.

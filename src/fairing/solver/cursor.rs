@@ -16,7 +16,7 @@ use crate::fairing::prepared::Prepared;
 use crate::fairing::report::Seconds;
 use crate::mesh::RegionMesh;
 use crate::quality::NEEDLE;
-use crate::solve::control::{Interrupt, Tally};
+use crate::solve::control::Tally;
 use crate::solve::factor::Collapsed;
 use crate::solve::ladder::{Ladder, LadderState};
 use crate::solve::live::{Allowance, Live};
@@ -374,7 +374,7 @@ impl Cursor {
         self.sync_domain();
         while allowance.left() > 0 && !self.is_over {
             allowance.spent += 1;
-            let mut nobody = ComponentWeights::new(None, &Interrupt::default(), 0.0, std::iter::empty());
+            let mut nobody = ComponentWeights::new(None, 0.0, std::iter::empty());
             let result = self.advance(options, 1, &mut nobody)?;
             if self.is_over {
                 self.untold = Some(result);
