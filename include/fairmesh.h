@@ -791,6 +791,10 @@ enum fairmesh_fill_reason
      */
     FAIRMESH_FILL_REASON_INTERSECTS = 11,
     /**
+     * It is the outer boundary of triangles that hang at the rest of the mesh by single vertices only, one of which is told.
+     */
+    FAIRMESH_FILL_REASON_HANGING = 12,
+    /**
      * Fairing was not asked for.
      */
     FAIRMESH_FILL_REASON_NOT_ASKED = 32,

@@ -202,6 +202,8 @@ pub enum fairmesh_fill_reason {
     NotFair = 10,
     /// Every patch that was tried intersects itself or the mesh, and such loops were to stay open.
     Intersects = 11,
+    /// It is the outer boundary of triangles that hang at the rest of the mesh by single vertices only, one of which is told.
+    Hanging = 12,
     /// Fairing was not asked for.
     NotAsked = 32,
     /// The patch has no inner vertex: nothing can move.

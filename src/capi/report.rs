@@ -213,9 +213,9 @@ pub(crate) fn bridge(of: &Bridged) -> fairmesh_bridge_report {
 fn named(reason: &OpenReason) -> [u64; 2] {
     match reason {
         OpenReason::NonManifold { a, b } => [u64::from(*a), u64::from(*b)],
-        OpenReason::NotFinite { vertex } | OpenReason::SharedVertex { vertex } => {
-            [u64::from(*vertex), FAIRMESH_NO_ELEMENT]
-        }
+        OpenReason::NotFinite { vertex }
+        | OpenReason::SharedVertex { vertex }
+        | OpenReason::Hanging { vertex } => [u64::from(*vertex), FAIRMESH_NO_ELEMENT],
         OpenReason::OppositeSides { a, b } => [*a as u64, *b as u64],
         _ => [FAIRMESH_NO_ELEMENT; 2],
     }

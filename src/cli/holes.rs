@@ -133,13 +133,17 @@ fn suggested(args: &HolesArgs, geometry: &Geometry) -> Result<Vec<JoinSuggestion
 fn kind(boundary: &BoundaryLoop) -> String {
     match boundary.kind {
         LoopKind::Hole => "hole".into(),
-        LoopKind::OuterBoundary if boundary.component_triangles <= DEBRIS => {
-            format!(
+        LoopKind::OuterBoundary => match boundary.hangs_at {
+            Some(vertex) => format!(
+                "outer boundary of {} faces that hang at the rest of the mesh by single vertices only (vertex {vertex})",
+                boundary.component_triangles
+            ),
+            None if boundary.component_triangles <= DEBRIS => format!(
                 "outer boundary of {} faces that hang at nothing",
                 boundary.component_triangles
-            )
-        }
-        LoopKind::OuterBoundary => "outer boundary".into(),
+            ),
+            None => "outer boundary".into(),
+        },
         LoopKind::NonManifold { a, b } => format!("runs into the non-manifold edge ({a}, {b})"),
         _ => "unknown".into(),
     }
@@ -162,7 +166,7 @@ fn described((boundary, rough): (&BoundaryLoop, &Option<Roughness>)) -> Value {
     };
     json!({
         "kind": name, "non_manifold_edge": edge, "edges": boundary.vertices.len(), "length": boundary.length,
-        "area": boundary.area, "turn": boundary.turn, "touching": boundary.touching, "component": boundary.component,
+        "area": boundary.area, "turn": boundary.turn, "touching": boundary.touching, "hangs_at": boundary.hangs_at, "component": boundary.component,
         "component_faces": boundary.component_triangles, "roughness": rough.as_ref().map(rim::roughness_json), "vertices": boundary.vertices,
     })
 }

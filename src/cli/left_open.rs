@@ -11,6 +11,9 @@ pub fn why(reason: OpenReason) -> String {
         OpenReason::OuterBoundary => {
             "it encloses the mesh, not a gap; fill it by --loop if you mean it".into()
         }
+        OpenReason::Hanging { vertex } => format!(
+            "its faces hang at the rest of the mesh by single vertices only (vertex {vertex}); remove them, or fill it by --loop if you mean it"
+        ),
         OpenReason::TooManyEdges => "it has more edges than --max-edges".into(),
         OpenReason::NoTriangulation => "every triangulation has an edge or face that is there already".into(),
         OpenReason::NotFinite { vertex } => {

@@ -136,6 +136,7 @@ impl<'m> Strip<'m> {
             area: 0.0,
             turn: 0.0,
             touching: Vec::new(),
+            hangs_at: None,
             kind: LoopKind::Hole,
             component,
             component_triangles: 0,

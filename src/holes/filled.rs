@@ -1,7 +1,7 @@
 //! What filling returns: the mesh with its patches.
 
 use super::groups::LoopGroup;
-use super::outcome::{FillOutcome, LoopReport, OpenReason, renumber};
+use super::outcome::{LoopReport, renumber};
 use super::parents::Parents;
 use crate::holes::patch_surface::PatchSurface;
 
@@ -22,8 +22,8 @@ impl Filled {
     /// Whether there is nothing to be said of the result: all loops are [successes](LoopReport::is_success), and it is not so that
     /// outer boundaries stayed open and nothing was filled. The same in every host.
     pub fn is_success(&self) -> bool {
-        let is_outer = |of: &LoopReport| of.outcome == FillOutcome::LeftOpen(OpenReason::OuterBoundary);
-        let is_skipped = self.loops.iter().all(LoopReport::is_open) && self.loops.iter().any(is_outer);
+        let is_skipped =
+            self.loops.iter().all(LoopReport::is_open) && self.loops.iter().any(LoopReport::is_outer);
         self.loops.iter().all(LoopReport::is_success) && !is_skipped
     }
     /// Appends a piece and its report.

@@ -57,6 +57,9 @@ pub struct BoundaryLoop {
     pub turn: f64,
     /// Vertices that belong to another loop, too (bow-ties).
     pub touching: Vec<u32>,
+    /// Of an outer boundary: a vertex in which its component touches one that is no smaller. As components hang together by edges, it
+    /// hangs there by single vertices only.
+    pub hangs_at: Option<u32>,
     /// What kind of gap it is.
     pub kind: LoopKind,
     /// The component of the mesh that the loop is on: triangles that hang together by edges. They count in the order of their
@@ -165,6 +168,7 @@ impl BoundaryLoop {
                 .map_or(*v, |i| copies[i])
         };
         self.touching = self.touching.iter().map(of).collect();
+        self.hangs_at = self.hangs_at.as_ref().map(of);
         self.vertices = copies;
     }
 }
@@ -227,7 +231,11 @@ impl Links<'_> {
                 let is_outer = self.is_outer(&run, positions, sizes[component], &mut seen);
                 let kind = self.kind(bad, is_outer);
                 let of = [component, sizes[component]];
-                self.measure(run, positions, (kind, of), (&places, &visits))
+                let mut boundary = self.measure(run, positions, (kind, of), (&places, &visits));
+                if is_outer {
+                    boundary.hangs_at = self.hanging(&boundary, &components, &sizes);
+                }
+                boundary
             })
             .collect()
     }
@@ -298,11 +306,21 @@ impl Links<'_> {
             area: area.norm(),
             turn: turn.to_degrees(),
             touching,
+            hangs_at: None,
             kind,
             component,
             component_triangles,
             half_edges: run,
         }
+    }
+
+    /// The first vertex of a loop that has triangles of another component, too, which is no smaller.
+    fn hanging(&self, boundary: &BoundaryLoop, components: &[u32], sizes: &[usize]) -> Option<u32> {
+        let of = |h: u32| components[h as usize / 3] as usize;
+        let is_larger =
+            |&h: &u32| of(h) != boundary.component && sizes[of(h)] >= boundary.component_triangles;
+        let mut vertices = boundary.vertices.iter().copied();
+        vertices.find(|&v| self.at(v).iter().any(is_larger))
     }
 
     /// The kind of a loop whose walk met a `bad` edge, or none.

@@ -50,6 +50,11 @@ pub enum OpenReason {
     NotFair,
     /// Every patch intersects itself, the mesh or another patch, and such loops were to stay open.
     Intersecting,
+    /// The loop encloses triangles that hang at the rest of the mesh by single vertices only, and was not named.
+    Hanging {
+        /// One of these vertices.
+        vertex: u32,
+    },
     /// Two of the loops to be joined have a vertex in common.
     SharedVertex {
         /// The vertex.
@@ -148,6 +153,9 @@ table!(OpenReason {
     11 "intersects" OpenReason::Intersecting =>
         "every patch that was tried intersects itself or the mesh, and such loops were to stay open",
         "join the loop to its neighbours, clean its boundary, or remove faces around it";
+    12 "hanging" OpenReason::Hanging { .. } =>
+        "it is the outer boundary of triangles that hang at the rest of the mesh by single vertices only, one of which is told",
+        "remove these triangles, or name the loop to have it filled all the same";
 });
 
 table!(FlatReason {
@@ -216,7 +224,10 @@ impl LoopReport {
                 matches!(reason, FlatReason::NotAsked | FlatReason::NoInnerVertex)
             }
             FillOutcome::LeftOpen(
-                OpenReason::OuterBoundary | OpenReason::TooManyEdges | OpenReason::NotAsked,
+                OpenReason::OuterBoundary
+                | OpenReason::Hanging { .. }
+                | OpenReason::TooManyEdges
+                | OpenReason::NotAsked,
             ) => true,
             _ => false,
         }
@@ -225,6 +236,14 @@ impl LoopReport {
     /// Whether a new triangle has no area: its corners are on a line.
     pub fn has_no_area(&self) -> bool {
         !self.is_open() && !self.triangles.is_empty() && self.worst_angle < NO_ANGLE
+    }
+
+    /// Whether an outer boundary stayed open.
+    pub(super) fn is_outer(&self) -> bool {
+        matches!(
+            self.outcome,
+            FillOutcome::LeftOpen(OpenReason::OuterBoundary | OpenReason::Hanging { .. })
+        )
     }
 
     pub(super) fn is_open(&self) -> bool {

@@ -31,8 +31,12 @@ pub(super) fn objection(
             _ => OpenReason::NotAsked,
         });
     }
-    let is_outer = |boundary: &&BoundaryLoop| boundary.kind == LoopKind::OuterBoundary;
-    loops.iter().any(is_outer).then_some(OpenReason::OuterBoundary)
+    let is_outer = |boundary: &&&BoundaryLoop| boundary.kind == LoopKind::OuterBoundary;
+    let outer = loops.iter().find(is_outer)?;
+    Some(match outer.hangs_at {
+        Some(vertex) => OpenReason::Hanging { vertex },
+        None => OpenReason::OuterBoundary,
+    })
 }
 
 /// A vertex that two of the loops have, or two copies of it.

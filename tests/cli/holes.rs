@@ -539,3 +539,21 @@ fn a_soup_is_named() {
         "{told}"
     );
 }
+
+/// A closed mesh and a triangle that has one of its vertices: nothing to fill, and what to do is said.
+#[test]
+fn faces_that_hang_at_a_vertex_are_named() {
+    let directory = directory("hanging");
+    let octahedron = "OFF 8 9 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n0 0 1\n0 0 -1\n2 0 0\n2 1 0\n\
+        3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n3 1 0 5\n3 2 1 5\n3 3 2 5\n3 0 3 5\n3 0 6 7\n";
+    fs::write(directory.join("in.off"), octahedron).unwrap();
+    let (out, _) = expect(&directory, &["holes", "in.off", "--json", "l.json"], 0);
+    assert!(
+        out.contains("1 faces that hang at the rest of the mesh by single vertices only (vertex 0)"),
+        "{out}"
+    );
+    let list: Value = serde_json::from_slice(&fs::read(directory.join("l.json")).unwrap()).unwrap();
+    assert_eq!(list[0]["hangs_at"], 0);
+    let (out, _) = expect(&directory, &["fill", "in.off", "-o", "out.off"], 3);
+    assert!(out.contains("vertex 0") && out.contains("remove them"), "{out}");
+}
