@@ -218,6 +218,10 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_BAD_EDIT = 40,
     /**
+     * A component has one side only, as a Moebius strip.
+     */
+    FAIRMESH_STATUS_NOT_ORIENTABLE = 41,
+    /**
      * A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
      */
     FAIRMESH_STATUS_INTERNAL = 99,
@@ -685,9 +689,13 @@ enum fairmesh_loop_kind
      */
     FAIRMESH_LOOP_KIND_OUTER_BOUNDARY = 1,
     /**
-     * It meets a bad edge, which is told: never filled.
+     * It meets an edge with more than two triangles, which is told: never filled.
      */
     FAIRMESH_LOOP_KIND_NON_MANIFOLD = 2,
+    /**
+     * It meets an edge, which is told, whose two triangles face opposite ways: never filled.
+     */
+    FAIRMESH_LOOP_KIND_INCONSISTENT = 3,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -747,7 +755,7 @@ enum fairmesh_fill_reason
      */
     FAIRMESH_FILL_REASON_NONE = 0,
     /**
-     * The boundary runs into an edge with more than two triangles, or with inconsistent ones.
+     * The boundary runs into an edge with more than two triangles.
      */
     FAIRMESH_FILL_REASON_NON_MANIFOLD = 1,
     /**
@@ -794,6 +802,10 @@ enum fairmesh_fill_reason
      * It is the outer boundary of triangles that hang at the rest of the mesh by single vertices only, one of which is told.
      */
     FAIRMESH_FILL_REASON_HANGING = 12,
+    /**
+     * The boundary runs into an edge whose two triangles face opposite ways: they are oriented inconsistently.
+     */
+    FAIRMESH_FILL_REASON_INCONSISTENT = 13,
     /**
      * Fairing was not asked for.
      */

@@ -45,6 +45,7 @@ pub use holes::{
 };
 pub use measure::curvature::{mean_curvature, mean_curvature_joined};
 pub use measure::distance::{DistanceTo, SurfaceDistance};
+pub use measure::orientation::{InconsistentEdge, inconsistent_edges, triangles_to_turn};
 pub use measure::self_intersections::self_intersections;
 pub use paper::{Estimate, LevelReport, PaperOptions};
 pub use quality::Quality;

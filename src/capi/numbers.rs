@@ -87,6 +87,8 @@ pub enum fairmesh_status {
     NoBump = 39,
     /// An edit of a solver has a number that is not finite, or moves a free vertex.
     BadEdit = 40,
+    /// A component has one side only, as a Moebius strip.
+    NotOrientable = 41,
     /// A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     Internal = 99,
 }
@@ -180,7 +182,7 @@ pub enum fairmesh_fill_outcome {
 pub enum fairmesh_fill_reason {
     /// There is nothing to say.
     None = 0,
-    /// The boundary runs into an edge with more than two triangles, or with inconsistent ones.
+    /// The boundary runs into an edge with more than two triangles.
     NonManifold = 1,
     /// It is the outer boundary of an open surface, and was not named.
     OuterBoundary = 2,
@@ -204,6 +206,8 @@ pub enum fairmesh_fill_reason {
     Intersects = 11,
     /// It is the outer boundary of triangles that hang at the rest of the mesh by single vertices only, one of which is told.
     Hanging = 12,
+    /// The boundary runs into an edge whose two triangles face opposite ways: they are oriented inconsistently.
+    Inconsistent = 13,
     /// Fairing was not asked for.
     NotAsked = 32,
     /// The patch has no inner vertex: nothing can move.
@@ -225,8 +229,10 @@ pub enum fairmesh_loop_kind {
     Hole = 0,
     /// The outer boundary of an open surface: filled only if it is named.
     OuterBoundary = 1,
-    /// It meets a bad edge, which is told: never filled.
+    /// It meets an edge with more than two triangles, which is told: never filled.
     NonManifold = 2,
+    /// It meets an edge, which is told, whose two triangles face opposite ways: never filled.
+    Inconsistent = 3,
 }
 
 /// Which loops get one patch together. Numbers are never reused.
@@ -420,6 +426,7 @@ impl fairmesh_status {
             38 => Self::NoFairPatch,
             39 => Self::NoBump,
             40 => Self::BadEdit,
+            41 => Self::NotOrientable,
             99 => Self::Internal,
             _ => Self::Internal,
         }

@@ -162,7 +162,7 @@ pub(crate) fn boundary_loop(of: &BoundaryLoop, rough: Option<&Roughness>) -> fai
     let told = |value: fn(&Roughness) -> f64| rough.map_or(0.0, value);
     let advice = rough.and_then(|rough| rough.advice).unwrap_or_default();
     let (edge_a, edge_b) = match of.kind {
-        LoopKind::NonManifold { a, b } => (a, b),
+        LoopKind::NonManifold { a, b } | LoopKind::Inconsistent { a, b } => (a, b),
         _ => (u32::MAX, u32::MAX),
     };
     fairmesh_loop {
@@ -212,7 +212,9 @@ pub(crate) fn bridge(of: &Bridged) -> fairmesh_bridge_report {
 /// What of the mesh the reason for leaving a loop open is about.
 fn named(reason: &OpenReason) -> [u64; 2] {
     match reason {
-        OpenReason::NonManifold { a, b } => [u64::from(*a), u64::from(*b)],
+        OpenReason::NonManifold { a, b } | OpenReason::Inconsistent { a, b } => {
+            [u64::from(*a), u64::from(*b)]
+        }
         OpenReason::NotFinite { vertex }
         | OpenReason::SharedVertex { vertex }
         | OpenReason::Hanging { vertex } => [u64::from(*vertex), FAIRMESH_NO_ELEMENT],

@@ -18,6 +18,7 @@ use crate::failure::Failure;
 use crate::fill::{reported, told, with_size};
 use crate::formats::pipe_args::PipesArgs;
 use crate::formats::{Added, MeshFile, references};
+use crate::orientation;
 use crate::patches::{Files, PatchArgs, face_numbers};
 
 /// What `fairmesh bridge` is asked.
@@ -62,12 +63,14 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
     let Files {
         format,
         mesh,
+        turned,
         precision,
         output,
     } = Files::open(
         &args.input,
         &args.output,
         args.pipes.of(&args.input, Some(&args.output))?,
+        &args.patches.mesh,
     )?;
     let answer = args.patches.answer(&args.output, &args.input)?;
     args.pictures.check(std::slice::from_ref(&args.input))?;
@@ -113,12 +116,12 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
         json!({ "strip": reported(&bridged.strip, first, face), "chains": bridged.chains, "sides": bridged.sides,
             "twist": bridged.twist, "loops": rest, "references": led.told,
             "whole": bridged.whole.as_ref().map(|report| report.outcome.name()),
-            "new_vertices": bridged.parents.len(), "new_triangles": bridged.triangles.len() - mesh.geometry.triangles.len(),
+            "turned_faces": turned, "new_vertices": bridged.parents.len(), "new_triangles": bridged.triangles.len() - mesh.geometry.triangles.len(),
             "seconds": { "solve": solve, "total": total } })
     };
     answer.tell(&[&args.output], json, || {
         let told = led.told.iter().map(|line| format!("{line}\n"));
-        readable(&bridged) + &told.collect::<String>()
+        orientation::turned(turned) + &readable(&bridged) + &told.collect::<String>()
     })?;
     Ok(bridged.is_success())
 }

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::path::Path;
 
-use fairmesh::{Error, Outcome, Report};
+use fairmesh::{Coincident, Error, Outcome, Report, inconsistent_edges};
 
 use crate::failure::{ExitCode, Failure};
 use crate::figures::significant;
@@ -28,6 +28,13 @@ pub fn refusal(path: &Path, mesh: &MeshFile, error: &Error) -> Failure {
             format!(" (vertex {v} is at {x} {y} {z})")
         });
     let remedy = match error.entry().remedy() {
+        remedy if matches!(error, Error::InconsistentOrientation { .. }) => {
+            let of = inconsistent_edges(&geometry.positions, &geometry.triangles, Coincident::default());
+            format!(
+                "; {} edges of the mesh are like this; {remedy}, as --orient does",
+                of.map_or(0, |edges| edges.len())
+            )
+        }
         "" => String::new(),
         remedy => format!("; {remedy}"),
     };
@@ -62,6 +69,7 @@ fn in_polygons(error: &Error, geometry: &Geometry) -> Error {
     match &mut error {
         Error::IndexOutOfRange { triangle, .. }
         | Error::RepeatedIndex { triangle, .. }
+        | Error::NotOrientable { triangle }
         | Error::NonManifoldEdge { triangle, .. } => *triangle = geometry.polygon_of(*triangle),
         Error::DuplicateTriangle { triangle, other }
         | Error::InconsistentOrientation { triangle, other, .. } => {

@@ -19,6 +19,7 @@ use crate::explain;
 use crate::failure::{ExitCode, Failure};
 use crate::formats::{self, Format, MeshFile, Written, references};
 use crate::jobs::{FilesArgs, Job};
+use crate::orientation::{self, oriented};
 use crate::output::Output;
 use crate::report::{Summary, Times};
 use crate::selection::{self, RegionArgs};
@@ -103,6 +104,7 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
     let start = Instant::now();
     let format = Format::of(&job.output, job.piped.output)?;
     let mesh = MeshFile::read(&job.input, job.piped.input)?;
+    let (mesh, turned) = oriented(&job.input, mesh, &args.mesh)?;
     let input = input(args, &job.input, &mesh)?;
     let solver = args.solver.solver()?;
     if !args.remesh {
@@ -176,10 +178,14 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
         is_good: solution.report.outcome == Outcome::Converged,
         outcome: solution.report.outcome.name().replace('_', " "),
         json: match job.asks_json {
-            true => summary.json(),
+            true => {
+                let mut json = summary.json();
+                json["turned_faces"] = turned.into();
+                json
+            }
             false => Value::Null,
         },
-        readable: summary.readable(),
+        readable: orientation::turned(turned) + &summary.readable(),
         references: led.told,
     })
 }

@@ -6,8 +6,8 @@ use std::time::Instant;
 
 use clap::Args;
 use fairmesh::{
-    BoundaryCurvature, FillOptions, FillOutcome, Filled, FlatReason, Join, LoopReport, Loops, Options,
-    OutputPrecision, Progress, TrimLimits, fill_holes_with_progress,
+    BoundaryCurvature, FillOptions, FillOutcome, Filled, FlatReason, Join, LoopReport, Loops, OpenReason,
+    Options, OutputPrecision, Progress, TrimLimits, fill_holes_with_progress,
 };
 use serde_json::{Value, json};
 
@@ -23,6 +23,7 @@ use crate::formats::{Added, MeshFile, references};
 use crate::jobs::{FilesArgs, Job};
 use crate::join;
 use crate::left_open;
+use crate::orientation;
 use crate::patches::{Files, PatchArgs, face_numbers};
 use crate::region::{RegionReport, RegionSteps};
 use crate::report::{creased, member_weight};
@@ -123,9 +124,10 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
     let Files {
         format,
         mesh,
+        turned,
         precision,
         output,
-    } = Files::open(&job.input, &job.output, job.piped)?;
+    } = Files::open(&job.input, &job.output, job.piped, &args.patches.mesh)?;
     let pictures = args.pictures.prepare(&job.input, &job.output)?;
     let before = pictures.as_ref().map(|_| mesh.geometry.clone());
     let boundary_curvature = args
@@ -188,10 +190,14 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
     // Outer boundaries that are passed over are no success by themselves; beside something that was done they are.
     let is_good =
         filled.is_success() || dropped + trimmed > 0 && filled.loops.iter().all(LoopReport::is_success);
+    let oriented = match is_good && turned == 0 && !filled.loops.is_empty() {
+        true => None,
+        false => Some(orientation::told(&mesh.geometry, turned, coincident)),
+    };
     let json = || {
         let (first, face) = face_numbers(&mesh, format);
         let loops: Vec<Value> = filled.loops.iter().map(|l| reported(l, first, face)).collect();
-        json!({ "success": is_good, "loops": loops, "region": region.json(), "dropped_components": dropped, "new_vertices": filled.parents.len(),
+        json!({ "success": is_good, "loops": loops, "region": region.json(), "orientation": oriented.as_ref().map(|of| &of.json), "dropped_components": dropped, "new_vertices": filled.parents.len(),
             "trimmed_faces": trimmed, "trimmed_area": trimmed_area,
             "dropped_faces": erased.as_ref().map_or(0, |of| of.dropped),
             "cleaned_faces": erased.as_ref().map_or(0, |of| of.cleaned),
@@ -205,7 +211,8 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
             _ => format!("{trimmed} faces at the holes were taken away, of area {trimmed_area:.3e}\n"),
         };
         let region: String = region.told.iter().map(|line| format!("{line}\n")).collect();
-        region + &trimmed + &readable(&filled, args, dropped, more)
+        let oriented = oriented.as_ref().map_or("", |of| &of.text);
+        region + oriented + &trimmed + &readable(&filled, args, dropped, more)
     };
     if let Some((pictures, before)) = pictures.as_ref().zip(before.as_ref()) {
         let after = MeshSide {
@@ -403,7 +410,23 @@ fn readable(filled: &Filled, args: &FillArgs, dropped: usize, [loose, cleaned]: 
     } else if !filled.is_success() && filled.loops.iter().all(LoopReport::is_success) {
         text += "nothing was filled: no boundary of the mesh is a hole\n";
     }
-    for report in &filled.loops {
+    let is_inconsistent = |report: &&LoopReport| {
+        matches!(
+            report.outcome,
+            FillOutcome::LeftOpen(OpenReason::Inconsistent { .. })
+        )
+    };
+    // One cause: a line is enough.
+    let inconsistent = filled.loops.iter().filter(is_inconsistent).count();
+    let in_one_line = inconsistent > 1 && !args.verbose;
+    if in_one_line {
+        let _ = writeln!(
+            text,
+            "{inconsistent} loops left open: they run into edges whose faces are oriented inconsistently"
+        );
+    }
+    let has_line = |report: &&LoopReport| !in_one_line || !is_inconsistent(report);
+    for report in filled.loops.iter().filter(has_line) {
         let _ = write!(
             text,
             "{}, {} edges: {}",

@@ -21,6 +21,7 @@ pub mod stl;
 #[cfg(test)]
 mod tests;
 pub mod textures;
+mod turned;
 
 pub use added::Added;
 pub use format::Format;

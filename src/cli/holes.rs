@@ -16,6 +16,7 @@ use crate::failure::Failure;
 use crate::formats::pipe_args::PipeArgs;
 use crate::formats::{Geometry, MeshFile};
 use crate::join;
+use crate::orientation::{self, oriented};
 use crate::rim;
 use crate::surface::MeshArgs;
 
@@ -46,6 +47,7 @@ pub struct HolesArgs {
 pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
     let mesh = MeshFile::read(&args.input, args.pipe.of(&[&args.input])?)?;
     let answer = Answer::prepare(args.json.as_deref(), args.quiet, None, &[&args.input])?;
+    let (mesh, turned) = oriented(&args.input, mesh, &args.mesh)?;
     let geometry = &mesh.geometry;
     let loops = boundary_loops_joined(&geometry.positions, &geometry.triangles, args.mesh.coincident)
         .map_err(|error| explain::refusal(&args.input, &mesh, &error))?;
@@ -69,6 +71,7 @@ pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
         );
     }
     text += &soup(&loops);
+    text += &orientation::told(geometry, turned, args.mesh.coincident).text;
     for (i, of) in rough.iter().enumerate() {
         if let Some(advice) = of.as_ref().and_then(rim::advice) {
             let _ = writeln!(text, "loop {i} {advice}");
@@ -145,6 +148,9 @@ fn kind(boundary: &BoundaryLoop) -> String {
             None => "outer boundary".into(),
         },
         LoopKind::NonManifold { a, b } => format!("runs into the non-manifold edge ({a}, {b})"),
+        LoopKind::Inconsistent { a, b } => {
+            format!("runs into edge ({a}, {b}), whose faces are oriented inconsistently")
+        }
         _ => "unknown".into(),
     }
 }
@@ -162,6 +168,7 @@ fn described((boundary, rough): (&BoundaryLoop, &Option<Roughness>)) -> Value {
         LoopKind::Hole => ("hole", Value::Null),
         LoopKind::OuterBoundary => ("outer_boundary", Value::Null),
         LoopKind::NonManifold { a, b } => ("non_manifold", json!([a, b])),
+        LoopKind::Inconsistent { a, b } => ("inconsistent", json!([a, b])),
         _ => ("unknown", Value::Null),
     };
     json!({

@@ -6,7 +6,12 @@ use fairmesh::OpenReason;
 pub fn why(reason: OpenReason) -> String {
     match reason {
         OpenReason::NonManifold { a, b } => {
-            format!("it runs into edge ({a}, {b}), which has not exactly two consistent faces")
+            format!("it runs into edge ({a}, {b}), which has more than two faces")
+        }
+        OpenReason::Inconsistent { a, b } => {
+            format!(
+                "it runs into edge ({a}, {b}), whose faces are oriented inconsistently; --orient turns them"
+            )
         }
         OpenReason::OuterBoundary => {
             "it encloses the mesh, not a gap; fill it by --loop if you mean it".into()

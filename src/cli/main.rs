@@ -33,6 +33,7 @@ mod join;
 mod left_open;
 mod man;
 mod normals;
+mod orientation;
 mod output;
 mod patches;
 mod picture;

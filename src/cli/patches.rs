@@ -10,6 +10,7 @@ use crate::batch::Telling;
 use crate::failure::Failure;
 use crate::formats::pipe_args::Piped;
 use crate::formats::{Format, MeshFile};
+use crate::orientation::oriented;
 use crate::output::Output;
 use crate::surface::{IntersectionArgs, MeshArgs};
 
@@ -86,14 +87,16 @@ impl PatchArgs {
 pub struct Files {
     pub format: Format,
     pub mesh: MeshFile,
+    /// How many faces were turned around.
+    pub turned: usize,
     pub precision: OutputPrecision,
     pub output: Output,
 }
 
 impl Files {
-    pub fn open(input: &Path, output: &Path, piped: Piped) -> Result<Self, Failure> {
+    pub fn open(input: &Path, output: &Path, piped: Piped, args: &MeshArgs) -> Result<Self, Failure> {
         let format = Format::of(output, piped.output)?;
-        let mesh = MeshFile::read(input, piped.input)?;
+        let (mesh, turned) = oriented(input, MeshFile::read(input, piped.input)?, args)?;
         let precision = match (mesh.format(), format) {
             (Format::Ply, Format::Ply) => mesh.output_precision(),
             _ => format.output_precision(),
@@ -102,6 +105,7 @@ impl Files {
         Ok(Self {
             format,
             mesh,
+            turned,
             precision,
             output: Output::prepare_or_stdout(output)?,
         })

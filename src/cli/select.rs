@@ -13,6 +13,7 @@ use crate::formats::pipe_args::PipesArgs;
 use crate::formats::references::{self, Led};
 use crate::formats::{Format, Geometry, Kind, MeshFile};
 use crate::normals;
+use crate::orientation::oriented;
 use crate::output::Output;
 use crate::picture::{self, Layout, PictureOptions, Shading, View};
 use crate::region;
@@ -55,6 +56,7 @@ pub struct SelectArgs {
 pub fn run(args: &SelectArgs) -> Result<bool, Failure> {
     let piped = args.pipes.of(&args.input, args.output.as_deref())?;
     let mesh = MeshFile::read(&args.input, piped.input)?;
+    let (mesh, _) = oriented(&args.input, mesh, &args.mesh)?;
     let geometry = &mesh.geometry;
     let output = args
         .output

@@ -122,6 +122,10 @@ pub struct MeshArgs {
         verbatim_doc_comment
     )]
     pub coincident: Coincident,
+    /// First turn faces around, as few as possible, so that those that hang together by edges
+    /// face the same way. The output has them turned, too
+    #[arg(long, verbatim_doc_comment)]
+    pub orient: bool,
 }
 
 /// Reads `--coincident`.

@@ -71,8 +71,18 @@ impl Chains<'_> {
             match run(&boundary.vertices, &of_mesh) {
                 ChainOrder::Whole { start, edges } => {
                     let vertex = given[0];
-                    if matches!(boundary.kind, LoopKind::NonManifold { .. }) {
-                        return Err(bad(chain, vertex, "its boundary runs into a non-manifold edge"));
+                    match boundary.kind {
+                        LoopKind::NonManifold { .. } => {
+                            return Err(bad(chain, vertex, "its boundary runs into a non-manifold edge"));
+                        }
+                        LoopKind::Inconsistent { .. } => {
+                            return Err(bad(
+                                chain,
+                                vertex,
+                                "its boundary runs into triangles that face the wrong way",
+                            ));
+                        }
+                        _ => {}
                     }
                     let span = match width {
                         Some(width) => self.widened(boundary, (start, edges), width),

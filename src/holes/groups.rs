@@ -337,8 +337,9 @@ fn box_of(positions: &[[f64; 3]], boundary: &BoundaryLoop) -> (Vector3<f64>, Vec
 
 fn is_usable(positions: &[[f64; 3]], boundary: &BoundaryLoop) -> bool {
     let is_finite = |&v: &u32| positions[v as usize].iter().all(|c| c.is_finite());
-    let is_sound = !matches!(boundary.kind, LoopKind::NonManifold { .. });
-    is_sound && boundary.touching.is_empty() && boundary.vertices.iter().all(is_finite)
+    boundary.kind.bad_edge().is_none()
+        && boundary.touching.is_empty()
+        && boundary.vertices.iter().all(is_finite)
 }
 
 /// Whether another loop's box lies in that of a loop.

@@ -84,6 +84,17 @@ impl<'a> Links<'a> {
         Some(self.opposite[h as usize]).filter(|&o| o < NON_MANIFOLD)
     }
 
+    /// Whether a bad edge has two triangles, which run through it in the same direction.
+    pub(super) fn is_inconsistent(&self, a: u32, b: u32) -> bool {
+        let of = |v: u32, end: u32| {
+            let is_along = move |h: &&u32| self.origin(next(**h)) == end;
+            self.at(v).iter().filter(is_along)
+        };
+        let is_sound = |h: &u32| !repeats(&self.triangles[*h as usize / 3]);
+        let [along, back] = [of(a, b).count(), of(b, a).count()];
+        along.max(back) == 2 && along.min(back) == 0 && of(a, b).chain(of(b, a)).all(is_sound)
+    }
+
     /// Whether a half-edge has no triangle on the other side.
     pub(super) fn is_boundary(&self, h: u32) -> bool {
         self.opposite[h as usize] == BOUNDARY

@@ -25,9 +25,16 @@ pub enum LoopKind {
     /// The loop encloses the mesh rather than a gap, like the outer boundary of an open sheet: a smooth surface over it would
     /// have to turn back by more than 150 degrees, by the median of the loop and four curves inside. Filled only if it is named.
     OuterBoundary,
-    /// The walk along the boundary met an edge that has three triangles or more, or two that run through it in the same
-    /// direction. Never filled.
+    /// The walk along the boundary met an edge that has three triangles or more. Never filled.
     NonManifold {
+        /// One end of that edge, the smaller index.
+        a: u32,
+        /// The other end.
+        b: u32,
+    },
+    /// The walk along the boundary met an edge that its two triangles run through in the same direction: one of them faces the wrong way.
+    /// Never filled; [`triangles_to_turn`](crate::triangles_to_turn) helps.
+    Inconsistent {
         /// One end of that edge, the smaller index.
         a: u32,
         /// The other end.
@@ -38,14 +45,15 @@ pub enum LoopKind {
 table!(LoopKind {
     0 "hole" LoopKind::Hole => "a gap in the surface", "";
     1 "outer_boundary" LoopKind::OuterBoundary => "the outer boundary of an open surface: filled only if it is named", "";
-    2 "non_manifold" LoopKind::NonManifold { .. } => "it meets a bad edge, which is told: never filled", "";
+    2 "non_manifold" LoopKind::NonManifold { .. } => "it meets an edge with more than two triangles, which is told: never filled", "";
+    3 "inconsistent" LoopKind::Inconsistent { .. } => "it meets an edge, which is told, whose two triangles face opposite ways: never filled", "";
 });
 
 /// A closed run of boundary edges that visits no vertex twice.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoundaryLoop {
     /// The vertices in the direction in which triangles that fill the loop run through it. Of a loop that is
-    /// `NonManifold`, the part between the bad edges.
+    /// `NonManifold` or `Inconsistent`, the part between the bad edges.
     pub vertices: Vec<u32>,
     /// Sum of the edge lengths.
     pub length: f64,
@@ -150,6 +158,16 @@ pub fn triangle_components(
 ) -> Result<Vec<u32>, Error> {
     let joined = Joined::new(positions, triangles, coincident)?;
     Ok(Links::new(positions.len(), &joined.triangles)?.components())
+}
+
+impl LoopKind {
+    /// The bad edge that the loop meets.
+    pub(super) fn bad_edge(self) -> Option<[u32; 2]> {
+        match self {
+            Self::NonManifold { a, b } | Self::Inconsistent { a, b } => Some([a, b]),
+            _ => None,
+        }
+    }
 }
 
 impl BoundaryLoop {
@@ -328,9 +346,10 @@ impl Links<'_> {
         match bad {
             Some(g) => {
                 let (a, b) = (self.origin(g), self.origin(next(g)));
-                LoopKind::NonManifold {
-                    a: a.min(b),
-                    b: a.max(b),
+                let [a, b] = [a.min(b), a.max(b)];
+                match self.is_inconsistent(a, b) {
+                    true => LoopKind::Inconsistent { a, b },
+                    false => LoopKind::NonManifold { a, b },
                 }
             }
             None if is_outer => LoopKind::OuterBoundary,

@@ -17,8 +17,15 @@ const NO_ANGLE: f64 = 1e-6;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum OpenReason {
-    /// The loop runs into an edge with three triangles or more, or with inconsistent ones.
+    /// The loop runs into an edge with three triangles or more.
     NonManifold {
+        /// One end of that edge, the smaller index.
+        a: u32,
+        /// The other end.
+        b: u32,
+    },
+    /// The loop runs into an edge that its two triangles run through in the same direction.
+    Inconsistent {
         /// One end of that edge, the smaller index.
         a: u32,
         /// The other end.
@@ -132,7 +139,7 @@ impl FillOutcome {
 // Reasons of both kinds share their numbers.
 table!(OpenReason {
     1 "non_manifold" OpenReason::NonManifold { .. } =>
-        "the boundary runs into an edge with more than two triangles, or with inconsistent ones", "repair the mesh there";
+        "the boundary runs into an edge with more than two triangles", "repair the mesh there";
     2 "outer_boundary" OpenReason::OuterBoundary =>
         "it is the outer boundary of an open surface, and was not named", "name the loop to have it filled all the same";
     3 "too_many_edges" OpenReason::TooManyEdges => "it has more edges than asked for", "allow more edges, or name the loop";
@@ -156,6 +163,9 @@ table!(OpenReason {
     12 "hanging" OpenReason::Hanging { .. } =>
         "it is the outer boundary of triangles that hang at the rest of the mesh by single vertices only, one of which is told",
         "remove these triangles, or name the loop to have it filled all the same";
+    13 "inconsistent" OpenReason::Inconsistent { .. } =>
+        "the boundary runs into an edge whose two triangles face opposite ways: they are oriented inconsistently",
+        "turn triangles around, so that all face the same way";
 });
 
 table!(FlatReason {

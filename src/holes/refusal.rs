@@ -14,6 +14,7 @@ pub(super) fn objection(
 ) -> Option<OpenReason> {
     let bad = loops.iter().find_map(|boundary| match boundary.kind {
         LoopKind::NonManifold { a, b } => Some(OpenReason::NonManifold { a, b }),
+        LoopKind::Inconsistent { a, b } => Some(OpenReason::Inconsistent { a, b }),
         _ => None,
     });
     if bad.is_some() {

@@ -94,6 +94,14 @@ pub enum Error {
         /// The earlier triangle.
         other: usize,
     },
+    /// The triangles cannot all face the same way: the surface has one side only.
+    #[error(
+        "the component of triangle {triangle} has one side only, as a Moebius strip: its triangles cannot be oriented consistently"
+    )]
+    NotOrientable {
+        /// A triangle of that component, at which the contradiction was found.
+        triangle: usize,
+    },
     /// A free vertex lies on the boundary of the mesh itself.
     #[error("free vertex {vertex} lies on the boundary of the mesh; fix it or leave it out of the selection")]
     FreeVertexOnBoundary {
@@ -253,7 +261,7 @@ table!(Error {
     20 "non_manifold_vertex" Error::NonManifoldVertex { .. } =>
         "the triangles around a vertex are not one fan", "repair the mesh there, or choose a region away from it";
     21 "inconsistent_orientation" Error::InconsistentOrientation { .. } =>
-        "two triangles run through an edge in the same direction", "orient all triangles coherently first";
+        "two triangles run through an edge in the same direction", "turn triangles around, so that all face the same way";
     22 "free_vertex_on_boundary" Error::FreeVertexOnBoundary { .. } =>
         "a free vertex is on the boundary of the mesh", "leave it out of the selection";
     23 "free_vertex_without_triangle" Error::FreeVertexWithoutTriangle { .. } =>
@@ -280,6 +288,8 @@ table!(Error {
         "the curvature does not tell where a bump ends", "say the region by its radius or by a list";
     40 "bad_edit" Error::BadEdit { .. } =>
         "an edit of a solver has a number that is not finite, or moves a free vertex", "name fixed vertices";
+    41 "not_orientable" Error::NotOrientable { .. } =>
+        "a component has one side only, as a Moebius strip", "cut it open, or leave it out";
 });
 
 impl Error {
@@ -313,6 +323,7 @@ impl Error {
             | Self::NotOnLoop { vertex }
             | Self::CoordinateTooLarge { vertex, .. }
             | Self::ValenceTooLarge { vertex, .. } => *vertex = vertex_id(*vertex),
+            Self::NotOrientable { triangle } => *triangle = triangle_id(*triangle),
             Self::RepeatedIndex { triangle, vertex } => {
                 (*triangle, *vertex) = (triangle_id(*triangle), vertex_id(*vertex));
             }

@@ -15,6 +15,7 @@ mod holes;
 mod installed;
 #[path = "../common/jargon.rs"]
 mod jargon;
+mod orientation;
 mod pictures;
 mod pipes;
 mod references;

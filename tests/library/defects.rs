@@ -1,6 +1,9 @@
 //! Defects of a mesh are told by their causes.
 
-use fairmesh::{FillOptions, FillOutcome, Loops, OpenReason, boundary_loops, fill_holes};
+use fairmesh::{
+    Coincident, Error, FillOptions, FillOutcome, LoopKind, Loops, OpenReason, boundary_loops, fill_holes,
+    inconsistent_edges, triangles_to_turn,
+};
 use fairmesh_shapes::{Sampling, sphere_with_hole};
 
 type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
@@ -78,5 +81,125 @@ fn the_smaller_part_hangs_at_the_larger_one() {
     assert_eq!(
         filled.loops[0].outcome,
         FillOutcome::LeftOpen(OpenReason::NoTriangulation)
+    );
+}
+
+/// The same for every run, of no pattern.
+fn chosen(i: usize, of: usize) -> bool {
+    (i as u64)
+        .wrapping_mul(0x9e37_79b9_7f4a_7c15)
+        .rotate_left(29)
+        .wrapping_mul(0xbf58_476d_1ce4_e5b9)
+        .rotate_left(31)
+        .is_multiple_of(of as u64)
+}
+
+/// Turns every third triangle or so around; which these are.
+fn turn_some(t: &mut [[u32; 3]]) -> Vec<u32> {
+    let turned: Vec<u32> = (0..t.len()).filter(|&i| chosen(i, 3)).map(|i| i as u32).collect();
+    turned.iter().for_each(|&i| t[i as usize].swap(1, 2));
+    turned
+}
+
+/// What a user sees of a sphere whose faces are turned here and there: bad edges, all of one kind, and the triangles to turn.
+#[test]
+fn triangles_that_face_the_wrong_way_are_found_and_turned() {
+    let shape = sphere_with_hole(40.0, 300, Sampling::Regular, 0);
+    let (x, t) = (shape.positions, shape.triangles);
+    let loops = boundary_loops(&x, &t).unwrap();
+    let mut mixed = t.clone();
+    let turned = turn_some(&mut mixed);
+    let edges = inconsistent_edges(&x, &mixed, Coincident::default()).unwrap();
+    assert_above!(edges.len(), turned.len());
+    let [a, b] = edges[0].triangles.map(|f| mixed[f as usize]);
+    let runs = |t: [u32; 3]| (0..3).any(|k| [t[k], t[(k + 1) % 3]] == edges[0].vertices);
+    assert!(runs(a) && runs(b));
+    let found = boundary_loops(&x, &mixed).unwrap();
+    assert_above!(found.len(), 1);
+    let inconsistent = |kind| matches!(kind, LoopKind::Inconsistent { .. });
+    assert!(found.iter().all(|of| inconsistent(of.kind)));
+    let filled = fill_holes(&x, &mixed, &FillOptions::default()).unwrap();
+    let reason =
+        |outcome: &FillOutcome| matches!(outcome, FillOutcome::LeftOpen(OpenReason::Inconsistent { .. }));
+    assert!(filled.loops.iter().all(|of| reason(&of.outcome)));
+    assert_eq!(
+        triangles_to_turn(&x, &mixed, Coincident::default()).unwrap(),
+        turned
+    );
+    turned.iter().for_each(|&i| mixed[i as usize].swap(1, 2));
+    assert_empty!(inconsistent_edges(&x, &mixed, Coincident::default()).unwrap());
+    assert_eq!(boundary_loops(&x, &mixed).unwrap(), loops);
+}
+
+/// Of each component its own smaller part, also where each triangle has vertices of its own.
+#[test]
+fn each_component_keeps_the_orientation_of_its_larger_part() {
+    let shape = sphere_with_hole(40.0, 300, Sampling::Regular, 0);
+    let (mut x, mut t) = (shape.positions, shape.triangles);
+    let (vertices, count) = (x.len() as u32, t.len());
+    x.extend_from_within(..);
+    x[vertices as usize..].iter_mut().for_each(|p| p[0] += 5.0);
+    t.extend_from_within(..);
+    // The second is inside out.
+    for tri in &mut t[count..] {
+        *tri = [tri[0] + vertices, tri[2] + vertices, tri[1] + vertices];
+    }
+    let turned = turn_some(&mut t);
+    assert_eq!(triangles_to_turn(&x, &t, Coincident::default()).unwrap(), turned);
+    let soup: Vec<[f64; 3]> = t.iter().flatten().map(|&v| x[v as usize]).collect();
+    let corners: Vec<[u32; 3]> = (0..t.len() as u32)
+        .map(|i| [3 * i, 3 * i + 1, 3 * i + 2])
+        .collect();
+    assert_eq!(
+        triangles_to_turn(&soup, &corners, Coincident::default()).unwrap(),
+        turned
+    );
+    assert_empty!(triangles_to_turn(&soup, &corners, Coincident::Separate).unwrap());
+}
+
+#[test]
+fn a_closed_component_of_which_half_is_turned_comes_to_face_outwards() {
+    let x = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|p| p.map(f64::from));
+    let outwards = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+    for first in [0, 2] {
+        let mut t = outwards;
+        t[first..first + 2].iter_mut().for_each(|t| t.swap(1, 2));
+        let turned = triangles_to_turn(&x, &t, Coincident::default()).unwrap();
+        assert_eq!(turned, [first as u32, first as u32 + 1]);
+    }
+    // Of an open one the first triangle stays.
+    let open = [[0, 2, 1], [0, 3, 1]];
+    assert_eq!(triangles_to_turn(&x, &open, Coincident::default()).unwrap(), [1]);
+}
+
+#[test]
+fn a_moebius_strip_cannot_be_oriented() {
+    let at = |i: u32| {
+        let angle = f64::from(i / 2) * std::f64::consts::TAU / 8.0;
+        let side = if i.is_multiple_of(2) { 0.3 } else { -0.3 };
+        let radius = 1.0 + side * (angle / 2.0).cos();
+        [
+            radius * angle.cos(),
+            radius * angle.sin(),
+            side * (angle / 2.0).sin(),
+        ]
+    };
+    let x: Vec<[f64; 3]> = (0..16).map(at).collect();
+    // The last rung is the first one upside down.
+    let rung = |i: u32| if i < 8 { [2 * i, 2 * i + 1] } else { [1, 0] };
+    let t: Vec<[u32; 3]> = (0..8)
+        .flat_map(|i| {
+            let [[a, b], [c, d]] = [rung(i), rung(i + 1)];
+            [[a, c, b], [b, c, d]]
+        })
+        .collect();
+    let refused = triangles_to_turn(&x, &t, Coincident::default()).unwrap_err();
+    assert!(
+        matches!(refused, Error::NotOrientable { triangle } if triangle < t.len()),
+        "{refused}"
+    );
+    assert_eq!(
+        inconsistent_edges(&x, &t, Coincident::default()).unwrap().len(),
+        1
     );
 }

@@ -89,6 +89,7 @@ const INPUT: ReadonlySet<Status> = new Set<Status>([
     "bad_chain",
     "no_bump",
     "bad_edit",
+    "not_orientable",
 ]);
 
 /** The error for a status. */

@@ -16,7 +16,7 @@ use lines::logical_line;
 
 pub use grow::grown;
 pub use materials::materials_and_corners;
-pub use only::{has_other_lines, only};
+pub use only::{has_other_lines, only, turn};
 
 /// A channel of a colour at its brightest, where that is 1 in a file.
 pub const FULL: f64 = 255.0;

@@ -14,6 +14,8 @@ use crate::text::{self, Layout, Words};
 pub struct Off {
     /// Byte offset of each vertex's row.
     rows: Vec<usize>,
+    /// Byte offset of each face's row.
+    faces: Vec<usize>,
     layout: Layout,
     /// The three words after the coordinates are a normal.
     has_normals: bool,
@@ -63,6 +65,7 @@ fn read(bytes: &[u8], header: &Header, layout: Layout) -> Result<(Geometry, Off)
         at = layout.next(bytes, &words);
     }
     let mut corners = Vec::new();
+    let mut faces = Vec::with_capacity(header.faces);
     for f in 0..header.faces {
         at = start(at, format_args!("face {f}"))?;
         let mut words = layout.words(bytes, at);
@@ -71,6 +74,7 @@ fn read(bytes: &[u8], header: &Header, layout: Layout) -> Result<(Geometry, Off)
             return Err(Malformed::text(at, "a face of fewer than three corners"));
         }
         geometry.push_polygon(&corners, at);
+        faces.push(at);
         at = layout.next(bytes, &words);
     }
     layout.end(bytes, at)?;
@@ -84,6 +88,7 @@ fn read(bytes: &[u8], header: &Header, layout: Layout) -> Result<(Geometry, Off)
         geometry,
         Off {
             rows,
+            faces,
             layout,
             has_normals,
             has_colours,
@@ -230,6 +235,16 @@ impl Off {
             colours.iter_mut().flatten().for_each(|channel| *channel *= FULL);
         }
         (!colours.is_empty()).then_some(colours)
+    }
+
+    /// Turns these faces around.
+    pub fn turn(&self, bytes: &[u8], faces: &[bool], patches: &mut Patches) {
+        for (&at, _) in self.faces.iter().zip(faces).filter(|(_, turned)| **turned) {
+            let mut words = self.layout.words(bytes, at);
+            let count = words.next().and_then(|word| text::integer(bytes, word, "").ok());
+            let count = count.and_then(|count| usize::try_from(count).ok()).unwrap_or(0);
+            patches.reverse(bytes, &words.take(count).collect::<Vec<_>>(), 1);
+        }
     }
 
     /// Replaces coordinates of moved vertices, and normals; returns the number of normals left behind.

@@ -28,6 +28,17 @@ impl Patches {
         }
     }
 
+    /// Puts the items of a list, so many to a corner, in the reverse order of the corners, of which the first one stays first.
+    pub fn reverse(&mut self, bytes: &[u8], items: &[Range<usize>], each: usize) {
+        let corners = items.len() / each.max(1);
+        for k in 1..corners {
+            let (to, from) = (&items[each * k..], &items[each * (corners - k)..]);
+            for (to, from) in to.iter().zip(from).take(each) {
+                self.replace(to.clone(), &bytes[from.clone()]);
+            }
+        }
+    }
+
     /// The bytes with all replacements.
     pub fn apply(mut self, bytes: &[u8]) -> Vec<u8> {
         self.list.sort_unstable_by_key(|(old, _)| old.start);

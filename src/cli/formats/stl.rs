@@ -109,20 +109,21 @@ fn parse_binary(bytes: &[u8], count: u32) -> (Geometry, Stl) {
     for t in 0..count as usize {
         let at = HEADER + FACET * t;
         let corners = [0, 1, 2].map(|k| {
-            let position = [0, 1, 2].map(|axis| {
-                let at = at + 12 * (k + 1) + 4 * axis;
-                f64::from(f32::from_le_bytes([
-                    bytes[at],
-                    bytes[at + 1],
-                    bytes[at + 2],
-                    bytes[at + 3],
-                ]))
-            });
+            let position = [0, 1, 2].map(|axis| single(bytes, at + 12 * (k + 1) + 4 * axis));
             weld.vertex(position, &mut geometry.positions)
         });
         geometry.push_polygon(&corners, at);
     }
     (geometry, Stl::Binary)
+}
+
+fn single(bytes: &[u8], at: usize) -> f64 {
+    f64::from(f32::from_le_bytes([
+        bytes[at],
+        bytes[at + 1],
+        bytes[at + 2],
+        bytes[at + 3],
+    ]))
 }
 
 /// Reads a text by its words, wherever its lines end: there are files of one line.
@@ -235,6 +236,29 @@ impl Stl {
             }
         }
         0
+    }
+
+    /// Turns these triangles around, and their normals.
+    pub fn turn(&self, bytes: &[u8], triangles: &[bool], patches: &mut Patches) {
+        for (t, _) in triangles.iter().enumerate().filter(|(_, turned)| **turned) {
+            let normal = self.facet(bytes, t, 0).map(|c| 0.0 - c);
+            self.patch_facet(bytes, t, 0, normal, patches);
+            for (to, from) in [(2, 3), (3, 2)] {
+                self.patch_facet(bytes, t, to, self.facet(bytes, t, from), patches);
+            }
+        }
+    }
+
+    /// One of the four triples of numbers of a triangle.
+    fn facet(&self, bytes: &[u8], t: usize, row: usize) -> [f64; 3] {
+        match self {
+            Stl::Binary => [0, 1, 2].map(|axis| single(bytes, HEADER + FACET * t + 12 * row + 4 * axis)),
+            Stl::Ascii(facets) if facets[t][row] == NONE => [0.0; 3],
+            Stl::Ascii(facets) => {
+                let mut words = text::words(bytes, facets[t][row]..bytes.len());
+                text::triple(bytes, &mut words, "").unwrap_or_default()
+            }
+        }
     }
 
     /// Replaces one of the four triples of numbers of a triangle.

@@ -1,4 +1,4 @@
-//! An OBJ file without some of its vertices and faces.
+//! An OBJ file without some of its vertices and faces, or with faces turned around.
 
 use super::lines::logical_line;
 use crate::formats::patches::Patches;
@@ -57,6 +57,23 @@ pub fn only(bytes: &[u8], vertices: &[bool], faces: &[bool]) -> Vec<u8> {
         at = next;
     }
     patches.apply(bytes)
+}
+
+/// Turns these faces around.
+pub fn turn(bytes: &[u8], faces: &[bool], patches: &mut Patches) {
+    let mut face = 0;
+    let mut at = text::start(bytes);
+    while at < bytes.len() {
+        let (range, next) = logical_line(bytes, at);
+        let mut words = text::words(bytes, range);
+        if words.next().is_some_and(|word| &bytes[word] == b"f") {
+            if faces[face] {
+                patches.reverse(bytes, &words.collect::<Vec<_>>(), 1);
+            }
+            face += 1;
+        }
+        at = next;
+    }
 }
 
 /// The corners' vertices, of which `seen` come before this line.

@@ -1,4 +1,4 @@
-//! A PLY file without some of its vertices and faces.
+//! A PLY file without some of its vertices and faces, or with faces turned around.
 
 use super::grow::integer;
 use super::rows::Field;
@@ -38,6 +38,43 @@ impl Ply {
         }
     }
 
+    /// Turns these faces around, with their texture coordinates.
+    pub fn turn(&self, bytes: &[u8], faces: &[bool], patches: &mut Patches) {
+        let rows = self.rows(bytes, &self.face);
+        let element = &self.face.element;
+        let (wanted, texture) = (element.vertex_indices(), element.property("texcoord"));
+        for (&row, _) in self.face.rows.iter().zip(faces).filter(|(_, turned)| **turned) {
+            let (mut corners, mut lists) = (0, Vec::new());
+            // The same walk succeeded when the file was read.
+            let _ = rows.walk(row, &mut |property, field: Field| {
+                let is_list = element.properties[property].kind.item().is_some();
+                if is_list && (Some(property) == wanted || Some(property) == texture) {
+                    let items = self.items(bytes, property, field);
+                    if Some(property) == wanted {
+                        corners = items.len();
+                    }
+                    lists.push(items);
+                }
+                Ok(())
+            });
+            for items in lists.iter().filter(|_| corners > 0) {
+                patches.reverse(bytes, items, items.len() / corners);
+            }
+        }
+    }
+
+    /// The places of a list's items.
+    fn items(&self, bytes: &[u8], property: usize, field: Field) -> Vec<Field> {
+        match self.face.element.properties[property].kind.item() {
+            _ if self.is_text() => text::words(bytes, field).collect(),
+            Some(item) => {
+                let starts = field.clone().step_by(item.size());
+                starts.map(|start| start..start + item.size()).collect()
+            }
+            None => Vec::new(),
+        }
+    }
+
     fn renumber(&self, bytes: &[u8], property: usize, field: Field, number: &[u32], patches: &mut Patches) {
         let Some(item) = self.face.element.properties[property].kind.item() else {
             return;
@@ -47,12 +84,7 @@ impl Ply {
         if rows.integers(property, &field, &mut values).is_err() {
             return;
         }
-        let words: Vec<Field> = match self.is_text() {
-            true => text::words(bytes, field).collect(),
-            false => (0..values.len())
-                .map(|i| field.start + i * item.size()..field.start + (i + 1) * item.size())
-                .collect(),
-        };
+        let words = self.items(bytes, property, field);
         for (word, value) in words.into_iter().zip(values) {
             let new = usize::try_from(value).ok().and_then(|v| number.get(v));
             if let Some(&new) = new.filter(|new| i64::from(**new) != value) {
