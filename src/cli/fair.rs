@@ -22,6 +22,7 @@ use crate::jobs::{FilesArgs, Job};
 use crate::orientation::{self, oriented};
 use crate::output::Output;
 use crate::report::{Summary, Times};
+use crate::seams;
 use crate::selection::{self, RegionArgs};
 use crate::solver::SolverArgs;
 use crate::surface::{IntersectionArgs, MeshArgs, SurfaceArgs};
@@ -120,7 +121,10 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
     let read = start.elapsed().as_secs_f64();
 
     let solving = Instant::now();
-    let refused = |error| explain::refusal(&job.input, &mesh, &error);
+    let refused = |error| {
+        let failure = explain::refusal(&job.input, &mesh, &error);
+        seams::advised(failure, &error, &mesh.geometry, args.mesh.coincident)
+    };
     let input = if args.remesh {
         let rough = solve(
             args,

@@ -28,6 +28,7 @@ use crate::patches::{Files, PatchArgs, face_numbers};
 use crate::region::{RegionReport, RegionSteps};
 use crate::report::{creased, member_weight};
 use crate::rim::{self, RimArgs};
+use crate::seams;
 use crate::selection;
 use crate::which::WhichArgs;
 
@@ -194,10 +195,15 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
         true => None,
         false => Some(orientation::told(&mesh.geometry, turned, coincident)),
     };
+    let is_open = |of: &LoopReport| matches!(of.outcome, FillOutcome::LeftOpen(_));
+    let seams = match filled.loops.iter().any(is_open) {
+        true => seams::advice(&mesh.geometry, coincident),
+        false => None,
+    };
     let json = || {
         let (first, face) = face_numbers(&mesh, format);
         let loops: Vec<Value> = filled.loops.iter().map(|l| reported(l, first, face)).collect();
-        json!({ "success": is_good, "loops": loops, "region": region.json(), "orientation": oriented.as_ref().map(|of| &of.json), "dropped_components": dropped, "new_vertices": filled.parents.len(),
+        json!({ "success": is_good, "loops": loops, "region": region.json(), "advice": seams, "orientation": oriented.as_ref().map(|of| &of.json), "dropped_components": dropped, "new_vertices": filled.parents.len(),
             "trimmed_faces": trimmed, "trimmed_area": trimmed_area,
             "dropped_faces": erased.as_ref().map_or(0, |of| of.dropped),
             "cleaned_faces": erased.as_ref().map_or(0, |of| of.cleaned),
@@ -212,7 +218,10 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
         };
         let region: String = region.told.iter().map(|line| format!("{line}\n")).collect();
         let oriented = oriented.as_ref().map_or("", |of| &of.text);
-        region + oriented + &trimmed + &readable(&filled, args, dropped, more)
+        let seams = seams
+            .as_ref()
+            .map_or(String::new(), |advice| format!("{advice}\n"));
+        region + oriented + &seams + &trimmed + &readable(&filled, args, dropped, more)
     };
     if let Some((pictures, before)) = pictures.as_ref().zip(before.as_ref()) {
         let after = MeshSide {

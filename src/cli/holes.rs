@@ -18,6 +18,7 @@ use crate::formats::{Geometry, MeshFile};
 use crate::join;
 use crate::orientation::{self, oriented};
 use crate::rim;
+use crate::seams;
 use crate::surface::MeshArgs;
 
 /// A component of no more faces is debris, or a piece of a soup.
@@ -70,7 +71,10 @@ pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
             touching(boundary)
         );
     }
-    text += &soup(&loops);
+    text += &match seams::advice(geometry, args.mesh.coincident) {
+        Some(advice) => format!("{advice}\n"),
+        None => soup(&loops),
+    };
     text += &orientation::told(geometry, turned, args.mesh.coincident).text;
     for (i, of) in rough.iter().enumerate() {
         if let Some(advice) = of.as_ref().and_then(rim::advice) {

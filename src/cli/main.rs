@@ -41,6 +41,7 @@ mod region;
 mod render;
 mod report;
 mod rim;
+mod seams;
 mod select;
 mod selected;
 mod selection;

@@ -2,9 +2,10 @@
 
 use super::disjoint_sets::DisjointSets;
 
-/// So many different positions in a cube whose side is the distance asked for are crowded: none of them is joined to another one.
-/// Half or double, of 2 cases: none changes.
-const CROWD: usize = 16;
+/// So many different positions in a cube whose side is the distance asked for are crowded: none of them is joined to another one. In a soup a vertex
+/// has as many copies as triangles, and the pole of a globe has 24 or 48.
+/// Half or double, of 4 cases: half leaves a pole of 48 open; double changes none.
+const CROWD: usize = 64;
 /// The least side of such a cube, in extents of all positions: places in the grid stay whole numbers.
 /// Half or double, of 2 cases: none changes.
 const FINEST: f64 = 1.0 / (1u64 << 40) as f64;

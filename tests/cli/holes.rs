@@ -540,6 +540,58 @@ fn a_soup_is_named() {
     );
 }
 
+/// The sheet without a quad in its middle, each quad with corners of its own, which are off by up to so many edges; and how many corners.
+fn loose_quads(jitter: f64) -> (String, usize) {
+    let middle = (SIDE - 1) * (SIDE / 2) + SIDE / 2;
+    let edge = 0.8 / (SIDE - 1) as f64;
+    let off = |i: usize| jitter * edge * ((i * 7919 % 1000) as f64 / 500.0 - 1.0);
+    let (mut vertices, mut faces, mut count) = (String::new(), String::new(), 0);
+    for q in (0..quads().len()).filter(|&q| q != middle) {
+        for &v in &quads()[q] {
+            let [x, y, z] = sheet()[v];
+            writeln!(vertices, "{} {} {z}", x + off(2 * count), y + off(2 * count + 1)).unwrap();
+            count += 1;
+        }
+        writeln!(faces, "4 {} {} {} {}", count - 4, count - 3, count - 2, count - 1).unwrap();
+    }
+    (format!("OFF\n{count} {} 0\n{vertices}{faces}", count / 4), count)
+}
+
+/// Corners that agree within much less than an edge, but not to the last bit: what joins them is named, and does.
+#[test]
+fn a_soup_with_jitter_is_told_what_joins_it() {
+    let directory = directory("jitter");
+    let run = |command: &str, code: i32| {
+        let (out, err) = expect(&directory, &command.split(' ').collect::<Vec<_>>(), code);
+        out + &err
+    };
+    let named =
+        |told: &str| told.contains("60 if vertices within 1e-6") && told.contains("--coincident 1e-6");
+    for jitter in [1e-9, 1e-7] {
+        let (text, corners) = loose_quads(jitter);
+        fs::write(directory.join("in.off"), text).unwrap();
+        let list: String = (0..corners).map(|v| format!("{v}\n")).collect();
+        fs::write(directory.join("all.txt"), list).unwrap();
+        fs::write(
+            directory.join("faces.txt"),
+            "30\n31\n32\n44\n45\n46\n58\n59\n60\n",
+        )
+        .unwrap();
+        for (command, code) in [
+            ("holes in.off", 0),
+            ("fill in.off -o out.off", 3),
+            ("fair in.off --free all.txt -o out.off", 2),
+            ("fair in.off --faces faces.txt -o out.off", 2),
+        ] {
+            let told = run(command, code);
+            assert!(named(&told), "{told}");
+        }
+        let told = run("fill in.off -o out.off --coincident 1e-6", 0);
+        assert!(told.contains("triangulated") && !named(&told), "{told}");
+        run("fair in.off --faces faces.txt -o out.off --coincident 1e-6", 0);
+    }
+}
+
 /// A closed mesh and a triangle that has one of its vertices: nothing to fill, and what to do is said.
 #[test]
 fn faces_that_hang_at_a_vertex_are_named() {

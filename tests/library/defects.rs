@@ -1,8 +1,8 @@
 //! Defects of a mesh are told by their causes.
 
 use fairmesh::{
-    Coincident, Error, FillOptions, FillOutcome, LoopKind, Loops, OpenReason, boundary_loops, fill_holes,
-    inconsistent_edges, triangles_to_turn,
+    Coincident, Error, FillOptions, FillOutcome, LoopKind, Loops, OpenReason, boundary_loops,
+    boundary_loops_joined, fill_holes, inconsistent_edges, triangles_to_turn,
 };
 use fairmesh_shapes::{Sampling, sphere_with_hole};
 
@@ -202,4 +202,28 @@ fn a_moebius_strip_cannot_be_oriented() {
         inconsistent_edges(&x, &t, Coincident::default()).unwrap().len(),
         1
     );
+}
+
+/// Each triangle with corners of its own, which are off by up to so much.
+fn soup(x: &[[f64; 3]], t: &[[u32; 3]], jitter: f64) -> Mesh {
+    let off = |i: usize| (i.wrapping_mul(0x9e37_79b9) >> 7 & 0xffff) as f64 / 32768.0 - 1.0;
+    let corners = t.iter().flatten().enumerate();
+    let corners = corners.map(|(i, &v)| [0, 1, 2].map(|k| x[v as usize][k] + jitter * off(3 * i + k)));
+    let numbers = (0..t.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
+    (corners.collect(), numbers.collect())
+}
+
+#[test]
+fn copies_of_a_vertex_of_many_triangles_are_joined() {
+    // A cone of 48 triangles.
+    let at = |i: u32| f64::from(i) * std::f64::consts::TAU / 48.0;
+    let rim = (0..48).map(|i| [at(i).cos(), at(i).sin(), 0.0]);
+    let x: Vec<[f64; 3]> = std::iter::once([0.0, 0.0, 1.0]).chain(rim).collect();
+    let t: Vec<[u32; 3]> = (0..48).map(|i| [0, i + 1, (i + 1) % 48 + 1]).collect();
+    let (x, t) = soup(&x, &t, 1e-8);
+    for within in [1e-7, 1e-6, 1e-5] {
+        let loops = boundary_loops_joined(&x, &t, Coincident::Join { within }).unwrap();
+        let edges: Vec<usize> = loops.iter().map(|of| of.vertices.len()).collect();
+        assert_eq!(edges, [48], "{within}");
+    }
 }
