@@ -22,11 +22,26 @@
 
 namespace fairmesh {
 
+/** What a number that the library answers with is called; see fairmesh_describe. */
+inline const char *name(fairmesh_answer answer, std::int64_t number) {
+    return fairmesh_describe(answer, number, FAIRMESH_TEXT_NAME);
+}
+
+/** What it means. */
+inline const char *meaning(fairmesh_answer answer, std::int64_t number) {
+    return fairmesh_describe(answer, number, FAIRMESH_TEXT_MEANING);
+}
+
+/** What can be done about it; empty if there is nothing to do. */
+inline const char *remedy(fairmesh_answer answer, std::int64_t number) {
+    return fairmesh_describe(answer, number, FAIRMESH_TEXT_REMEDY);
+}
+
 /** A failed call, with the detail that the library gave. */
 class error : public std::runtime_error {
 public:
     explicit error(const fairmesh_error &detail)
-        : std::runtime_error(detail.message[0] ? detail.message : fairmesh_describe(FAIRMESH_ANSWER_STATUS, detail.status, FAIRMESH_TEXT_NAME)), detail_(detail) {}
+        : std::runtime_error(detail.message[0] ? detail.message : name(FAIRMESH_ANSWER_STATUS, detail.status)), detail_(detail) {}
 
     fairmesh_status status() const noexcept { return static_cast<fairmesh_status>(detail_.status); }
     /** A fairmesh_element, and the numbers that go with it. */

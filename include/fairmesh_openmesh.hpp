@@ -302,7 +302,7 @@ template <class View> [[noreturn]] void openmesh_rethrow(const View &view, const
     if (why.element_kind != FAIRMESH_ELEMENT_TRIANGLE || view.face(why.element) == why.element) throw error(caught);
     why.element = view.face(why.element);
     if (why.status == FAIRMESH_STATUS_DUPLICATE_TRIANGLE) why.other = view.face(why.other);
-    std::string text = "face " + std::to_string(why.element) + ": " + fairmesh_describe(FAIRMESH_ANSWER_STATUS, why.status, FAIRMESH_TEXT_NAME);
+    std::string text = "face " + std::to_string(why.element) + ": " + name(FAIRMESH_ANSWER_STATUS, why.status);
     std::size_t size = std::min(text.size(), sizeof why.message - 1);
     std::copy_n(text.data(), size, why.message);
     why.message[size] = '\0';

@@ -70,7 +70,7 @@ int main(int count, char **words) {
             return true;
         };
         auto report = fairmesh::fair(mesh, options);
-        std::printf("\r%s: %u free vertices, %u iterations\n", fairmesh_describe(FAIRMESH_ANSWER_OUTCOME, report.outcome, FAIRMESH_TEXT_NAME),
+        std::printf("\r%s: %u free vertices, %u iterations\n", fairmesh::name(FAIRMESH_ANSWER_OUTCOME, report.outcome),
                     static_cast<unsigned>(report.free_vertices), static_cast<unsigned>(report.iterations));
     } catch (const std::exception &e) {
         std::fprintf(stderr, "%s\n", e.what());

@@ -117,7 +117,7 @@ Values bridge_boundaries(MeshModel &model, const MeshView &view, BridgeParameter
     const fairmesh_fill_report strip = bridged.fill_report(0);
     if (strip.outcome == FAIRMESH_FILL_OUTCOME_LEFT_OPEN) {
         const bool turned = strip.reason == FAIRMESH_FILL_REASON_OPPOSITE_SIDES;
-        throw Failure(text("No bridge was made: %s.%s", fairmesh_describe(FAIRMESH_ANSWER_FILL_REASON, strip.reason, FAIRMESH_TEXT_MEANING),
+        throw Failure(text("No bridge was made: %s.%s", fairmesh::meaning(FAIRMESH_ANSWER_FILL_REASON, strip.reason),
                            turned ? " Select the faces of one of the two parts and apply 'Invert Faces Orientation'." : ""));
     }
     write_patches(model, view, bridged, SelectionAfter::NewOnly);

@@ -59,7 +59,7 @@ Values values_of(const fairmesh_report &report, const MeshView &view) {
 
 void log_report(const fairmesh_report &report, const MeshView &view, const Host &host) {
     host.log(text("Fairing %s: %llu free vertices, %llu iterations, last step %.1e of the region's diagonal, harmonic defect %.1e",
-                  fairmesh_describe(FAIRMESH_ANSWER_OUTCOME, report.outcome, FAIRMESH_TEXT_NAME), static_cast<unsigned long long>(report.free_vertices),
+                  fairmesh::name(FAIRMESH_ANSWER_OUTCOME, report.outcome), static_cast<unsigned long long>(report.free_vertices),
                   static_cast<unsigned long long>(report.iterations), report.step, report.defect));
     host.log(text(
         "Smallest angle %.2f degrees (face %lld), flipped %llu, needles %llu; mean curvature %.4g to %.4g; deviation from the boundary "
@@ -68,7 +68,7 @@ void log_report(const fairmesh_report &report, const MeshView &view, const Host 
         static_cast<unsigned long long>(report.needle_count), report.h_inside[0], report.h_inside[1], report.normal_deviation,
         static_cast<unsigned long long>(report.normal_deviation_vertex)));
     const std::string but = reservation(report);
-    if (!but.empty()) host.warn("Warning, " + std::string(fairmesh_describe(FAIRMESH_ANSWER_OUTCOME, report.outcome, FAIRMESH_TEXT_NAME)) + ": " + but);
+    if (!but.empty()) host.warn("Warning, " + std::string(fairmesh::name(FAIRMESH_ANSWER_OUTCOME, report.outcome)) + ": " + but);
 }
 
 void log_components(const fairmesh::result &result, const Host &host) {
@@ -80,7 +80,7 @@ void log_components(const fairmesh::result &result, const Host &host) {
         if (part.outcome == FAIRMESH_OUTCOME_CONVERGED) continue;
         if (failed++ < shown)
             host.warn(text("Component of vertex %llu (%llu free vertices): %s", static_cast<unsigned long long>(part.vertex),
-                           static_cast<unsigned long long>(part.free_vertices), fairmesh_describe(FAIRMESH_ANSWER_OUTCOME, part.outcome, FAIRMESH_TEXT_NAME)));
+                           static_cast<unsigned long long>(part.free_vertices), fairmesh::name(FAIRMESH_ANSWER_OUTCOME, part.outcome)));
     }
     host.log(text("%llu components, %llu of them fair", static_cast<unsigned long long>(count),
                   static_cast<unsigned long long>(count - failed)));
@@ -107,8 +107,10 @@ void log_continuity(const fairmesh::result &result, const Host &host, std::uint6
 std::string reservation(const fairmesh_report &report) {
     if (report.outcome == FAIRMESH_OUTCOME_CONVERGED) return "";
     const bool loosely = report.outcome == FAIRMESH_OUTCOME_CONVERGED_LOOSELY;
-    const std::string what = loosely ? fairmesh_describe(FAIRMESH_ANSWER_LOOSE_REASON, report.loose_reason, FAIRMESH_TEXT_MEANING) : fairmesh_describe(FAIRMESH_ANSWER_OUTCOME, report.outcome, FAIRMESH_TEXT_MEANING);
-    const std::string remedy = loosely ? fairmesh_describe(FAIRMESH_ANSWER_LOOSE_REASON, report.loose_reason, FAIRMESH_TEXT_REMEDY) : fairmesh_describe(FAIRMESH_ANSWER_OUTCOME, report.outcome, FAIRMESH_TEXT_REMEDY);
+    const std::string what = loosely ? fairmesh::meaning(FAIRMESH_ANSWER_LOOSE_REASON, report.loose_reason)
+                                     : fairmesh::meaning(FAIRMESH_ANSWER_OUTCOME, report.outcome);
+    const std::string remedy = loosely ? fairmesh::remedy(FAIRMESH_ANSWER_LOOSE_REASON, report.loose_reason)
+                                       : fairmesh::remedy(FAIRMESH_ANSWER_OUTCOME, report.outcome);
     std::string figures;
     if (report.outcome == FAIRMESH_OUTCOME_CONVERGED_POOR_TRIANGLES || report.outcome == FAIRMESH_OUTCOME_POOR_WHEN_ROUNDED)
         figures = text(" (%llu triangles)", static_cast<unsigned long long>(report.poor_triangle_count));
@@ -128,14 +130,16 @@ std::string reservation(const fairmesh_fill_report &report) {
     switch (report.reason) {
     case FAIRMESH_FILL_REASON_NONE: break;
     case FAIRMESH_FILL_REASON_NO_INNER_VERTEX: return ""; // A small hole: its triangulation is all that there can be.
-    case FAIRMESH_FILL_REASON_REFUSED: return text("closed, but not faired: %s.", fairmesh_describe(FAIRMESH_ANSWER_STATUS, report.refused_status, FAIRMESH_TEXT_MEANING));
+    case FAIRMESH_FILL_REASON_REFUSED:
+        return text("closed, but not faired: %s.", fairmesh::meaning(FAIRMESH_ANSWER_STATUS, report.refused_status));
     default:
         return text("%s: %s.", report.outcome == FAIRMESH_FILL_OUTCOME_LEFT_OPEN ? "left open" : "closed, but not faired",
-                    fairmesh_describe(FAIRMESH_ANSWER_FILL_REASON, report.reason, FAIRMESH_TEXT_MEANING));
+                    fairmesh::meaning(FAIRMESH_ANSWER_FILL_REASON, report.reason));
     }
     if (report.outcome == FAIRMESH_FILL_OUTCOME_SELF_INTERSECTING)
-        return text("%s (%llu pairs of triangles); %s.", fairmesh_describe(FAIRMESH_ANSWER_FILL_OUTCOME, report.outcome, FAIRMESH_TEXT_MEANING),
-                    static_cast<unsigned long long>(report.intersection_count), fairmesh_describe(FAIRMESH_ANSWER_FILL_OUTCOME, report.outcome, FAIRMESH_TEXT_REMEDY));
+        return text("%s (%llu pairs of triangles); %s.", fairmesh::meaning(FAIRMESH_ANSWER_FILL_OUTCOME, report.outcome),
+                    static_cast<unsigned long long>(report.intersection_count),
+                    fairmesh::remedy(FAIRMESH_ANSWER_FILL_OUTCOME, report.outcome));
     if (report.outcome == FAIRMESH_FILL_OUTCOME_LINEAR) return "closed with the surface of a linear problem, which is not fair.";
     if (report.coarsened) return "closed with a coarser patch, to keep to the number of new vertices.";
     return "";
@@ -146,7 +150,7 @@ std::string explained(const fairmesh::error &error, const MeshView &view) {
     if (!why.empty()) why[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(why[0])));
     // MeshLab's own words where it has a filter that helps.
     if (error.status() == FAIRMESH_STATUS_INCONSISTENT_ORIENTATION) return why + ". Apply 'Re-Orient all faces coherently' first.";
-    const std::string remedy = fairmesh_describe(FAIRMESH_ANSWER_STATUS, error.status(), FAIRMESH_TEXT_REMEDY);
+    const std::string remedy = fairmesh::remedy(FAIRMESH_ANSWER_STATUS, error.status());
     return why + (remedy.empty() ? "." : "; " + remedy + ".");
 }
 
