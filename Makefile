@@ -11,6 +11,8 @@ OUT        ?= target/release
 VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 MAJOR   := $(word 1,$(subst ., ,$(VERSION)))
 MINOR   := $(word 2,$(subst ., ,$(VERSION)))
+# What programs that are linked with one version rely on.
+INTERFACE := $(if $(filter 0,$(MAJOR)),0.$(MINOR),$(MAJOR))
 PRIVATE_LIBS := -lgcc_s -lutil -lrt -lpthread -lm -ldl
 
 # From lib/cmake/fairmesh to the headers.
@@ -18,7 +20,7 @@ INCLUDEDIR_FROM_CMAKE := $(shell realpath -m --relative-to='$(LIBDIR)/cmake/fair
 
 FILL = sed -e 's|@PREFIX@|$(PREFIX)|g' -e 's|@LIBDIR@|$(LIBDIR)|g' -e 's|@INCLUDEDIR@|$(INCLUDEDIR)|g' \
 	-e 's|@INCLUDEDIR_FROM_CMAKE@|$(INCLUDEDIR_FROM_CMAKE)|g' -e 's|@VERSION@|$(VERSION)|g' \
-	-e 's|@MAJOR@|$(MAJOR)|g' -e 's|@MINOR@|$(MINOR)|g'
+	-e 's|@MAJOR@|$(MAJOR)|g' -e 's|@MINOR@|$(MINOR)|g' -e 's|@INTERFACE@|$(INTERFACE)|g'
 
 .PHONY: all install uninstall
 
@@ -35,8 +37,8 @@ install: all
 		include/fairmesh_openmesh_fill.hpp include/fairmesh_openmesh_bridge.hpp include/fairmesh_openmesh_rim.hpp '$(DESTDIR)$(INCLUDEDIR)'
 	install -m 755 $(OUT)/libfairmesh.so '$(DESTDIR)$(LIBDIR)/libfairmesh.so.$(VERSION)'
 	objcopy --strip-debug '$(DESTDIR)$(LIBDIR)/libfairmesh.so.$(VERSION)'
-	ln -sf libfairmesh.so.$(VERSION) '$(DESTDIR)$(LIBDIR)/libfairmesh.so.$(MAJOR)'
-	ln -sf libfairmesh.so.$(MAJOR) '$(DESTDIR)$(LIBDIR)/libfairmesh.so'
+	ln -sf libfairmesh.so.$(VERSION) '$(DESTDIR)$(LIBDIR)/libfairmesh.so.$(INTERFACE)'
+	ln -sf libfairmesh.so.$(INTERFACE) '$(DESTDIR)$(LIBDIR)/libfairmesh.so'
 	ld -r -o $(OUT)/fairmesh-all.o --whole-archive $(OUT)/libfairmesh.a
 	objcopy --strip-debug --remove-section=.llvmbc --remove-section=.llvmcmd \
 		--wildcard --keep-global-symbol='fairmesh_*' $(OUT)/fairmesh-all.o

@@ -94,7 +94,7 @@ fill() {
     # shellcheck disable=SC2016
     sed -e 's|@PREFIX@|${pcfiledir}/../..|' -e 's|@LIBDIR@|${prefix}/lib|' -e 's|@INCLUDEDIR@|${prefix}/include|' \
         -e 's|@INCLUDEDIR_FROM_CMAKE@|../../../include|' -e "s|@VERSION@|$version|g" -e "s|@MAJOR@|$major|g" \
-        -e "s|@MINOR@|$minor|g" -e "s|@PRIVATE_LIBS@|$libraries|" "packaging/$1" >"$2"
+        -e "s|@MINOR@|$minor|g" -e "s|@INTERFACE@|$interface|g" -e "s|@PRIVATE_LIBS@|$libraries|" "packaging/$1" >"$2"
 }
 
 # licences CRATE FOLDER
@@ -112,13 +112,13 @@ library() {
     case $target in
     linux-*)
         cp "$built/libfairmesh.so" "$tree/lib/libfairmesh.so.$version"
-        ln -s "libfairmesh.so.$version" "$tree/lib/libfairmesh.so.$major"
-        ln -s "libfairmesh.so.$major" "$tree/lib/libfairmesh.so"
+        ln -s "libfairmesh.so.$version" "$tree/lib/libfairmesh.so.$interface"
+        ln -s "libfairmesh.so.$interface" "$tree/lib/libfairmesh.so"
         ;;
     macos-*)
         cp "$built/libfairmesh.dylib" "$tree/lib/libfairmesh.$version.dylib"
-        ln -s "libfairmesh.$version.dylib" "$tree/lib/libfairmesh.$major.dylib"
-        ln -s "libfairmesh.$major.dylib" "$tree/lib/libfairmesh.dylib"
+        ln -s "libfairmesh.$version.dylib" "$tree/lib/libfairmesh.$interface.dylib"
+        ln -s "libfairmesh.$interface.dylib" "$tree/lib/libfairmesh.dylib"
         ;;
     windows-*)
         mkdir "$tree/bin"

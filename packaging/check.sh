@@ -73,7 +73,7 @@ check_linux() {
             needs "${file##*/}" '(lib(c\.so\.6|m\.so\.6|dl\.so\.2|pthread\.so\.0|rt\.so\.1|util\.so\.1|gcc_s\.so\.1)|ld-linux-.*)'
         if llvm_readelf -S "$file" | grep -q '\.symtab'; then bad "$file is not stripped"; fi
     done
-    llvm_readelf -d "$library" | grep -q "soname: \[libfairmesh.so.$major\]" || bad "the SONAME is another"
+    llvm_readelf -d "$library" | grep -q "soname: \[libfairmesh.so.$interface\]" || bad "the SONAME is another"
     "$llvm/llvm-nm" -D --defined-only -j "$tree/lib/libfairmesh.so" | shows libfairmesh.so
     "$llvm/llvm-nm" -g --defined-only -j "$tree/lib/libfairmesh.a" | grep -v ':$' | grep . | shows libfairmesh.a
     at_most $LIBRARY_BYTES "$library" libfairmesh.so
@@ -94,7 +94,7 @@ check_windows() {
 check_macos() {
     local file told
     told=$("$llvm/llvm-objdump" --macho --dylib-id "$library" | tail -1)
-    [ "$told" = "@rpath/libfairmesh.$major.dylib" ] || bad "the install name is $told"
+    [ "$told" = "@rpath/libfairmesh.$interface.dylib" ] || bad "the install name is $told"
     for file in "$library" "$program/fairmesh"; do
         told=$("$llvm/llvm-objdump" --macho --private-headers "$file" | grep -A4 -E 'LC_BUILD_VERSION|LC_VERSION_MIN_MACOSX' |
             sed -nE 's/^ *(minos|version) //p' | head -1)

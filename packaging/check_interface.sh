@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What has to agree before a release: files that are made of others are not old, the header's version is Cargo.toml's, the shared library has
-# the SONAME of the major version, and its binary interface is the committed one. All that are tests of the C interface, and are run here.
+# its SONAME, and its binary interface is the committed one. All that are tests of the C interface, and are run here.
 #   packaging/check_interface.sh [TAG]    with the tag of the last release: programs made for that one run with this one as well
 # Needs a C and a C++ compiler, make, binutils and abigail-tools.
 set -euo pipefail
@@ -9,7 +9,7 @@ cd "$root"
 last=${1-}
 work=$out/interface
 mkdir -p "$work"
-stored=packaging/libfairmesh.so.$major.abi
+stored=packaging/libfairmesh.so.$interface.abi
 TESTS="generated exported_symbols_are_the_functions_of_the_header the_binary_interface_is_still_the_first_one"
 
 for part in MAJOR=0 MINOR=1 PATCH=2; do
@@ -24,10 +24,10 @@ if [ -n "$last" ]; then
         # Structs may grow at their ends; new functions are no change.
         python3 packaging/grown_structs.py "$work/last.abi" "$stored" >"$work/growth"
         abidiff --no-show-locs --no-added-syms --suppr "$work/growth" "$work/last.abi" "$stored" >&2 ||
-            fail "programs made for $last do not run with $version: it needs another major version"
+            fail "programs made for $last do not run with $version: it needs another major version, or before 1.0 a minor one"
         echo "programs made for $last run with $version"
     else
-        echo "$last had another major version"
+        echo "$last had another SONAME"
     fi
 fi
 # shellcheck disable=SC2086

@@ -9,6 +9,9 @@ version=$(sed -n 's/^version = "\(.*\)"/\1/p' "$root/Cargo.toml" | head -1)
 major=${version%%.*}
 minor=${version#*.}
 minor=${minor%%.*}
+# What programs that are linked with the library rely on: the end of its SONAME.
+interface=$major
+[ "$major" != 0 ] || interface=0.$minor
 TARGETS="linux-x86_64 linux-aarch64 windows-x86_64 macos-x86_64 macos-aarch64 wasm32"
 # bindings/python/build_library.py reads them here: the oldest glibc, and the tools that link for it.
 GLIBC=2.28
