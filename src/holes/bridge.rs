@@ -77,7 +77,8 @@ impl BridgeOptions {
 /// A strip whose ends face opposite ways is not made: its report says [`OpenReason::OppositeSides`](super::OpenReason::OppositeSides).
 ///
 /// # Errors
-/// [`Error::BadChain`], which names the chain and a vertex, [`Error::BadOption`], [`Error::IndexOutOfRange`], [`Error::TooLarge`],
+/// [`Error::BadChain`], which names the chain and a vertex, [`Error::BadOption`], also where the sides of the strip alone need more
+/// vertices than may be made, [`Error::IndexOutOfRange`], [`Error::TooLarge`],
 /// [`Error::NoNormal`] where the mesh's triangles at a chain have no area.
 pub fn bridge(
     positions: &[[f64; 3]],

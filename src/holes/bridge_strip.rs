@@ -71,7 +71,14 @@ impl<'m> Strip<'m> {
         let (from, to) = (factor * a.edge, factor * b.edge);
         let edges = sides.iter().map(|side| side.edges(from, to)).fold(0.0, f64::max);
         // Two at least, so that no side is an edge that the mesh may have.
-        let count = (edges.round() as usize).min(filling.max_new_vertices / 2).max(2);
+        let count = (edges.round() as usize).max(2);
+        let most = filling.max_new_vertices;
+        Error::check_option(
+            "max_new_vertices",
+            most as f64,
+            2 * (count - 1) <= most,
+            "at least the number of vertices that the two sides of the bridge need",
+        )?;
         Ok(Self {
             links,
             positions,

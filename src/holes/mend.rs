@@ -84,8 +84,7 @@ impl Refiner<'_> {
     }
 
     fn is_full(&self) -> bool {
-        let most = self.fineness.most;
-        self.patch.x.len() - self.patch.fixed >= most && self.inner_vertices() >= most
+        self.patch.inner_vertices() >= self.fineness.most
     }
 
     fn narrow(&self) -> Vec<u32> {

@@ -16,6 +16,7 @@ mod fill;
 mod fill_progress;
 mod filled;
 mod groups;
+mod guided;
 mod guides;
 mod joint;
 mod lenses;

@@ -38,6 +38,8 @@ pub(super) struct Patch {
     opposite: Vec<u32>,
     /// A half-edge that starts at the vertex, [`NONE`] at removed vertices.
     out: Vec<u32>,
+    /// Inner vertices without a triangle, those removed among them.
+    gone: usize,
     /// Vertices below this number are the boundary.
     pub(super) fixed: usize,
 }
@@ -55,6 +57,7 @@ impl Patch {
             depth: vec![0.0; x.len()],
             opposite: vec![NONE; 3 * triangles.len()],
             out: vec![NONE; x.len()],
+            gone: 0,
             x,
             triangles,
             fixed,
@@ -76,6 +79,8 @@ impl Patch {
             patch.out[v] = h;
             patch.hint[v] = h / 3;
         }
+        let inner = patch.out.iter().skip(fixed);
+        patch.gone = inner.filter(|&&h| h == NONE).count();
         patch
     }
 
@@ -103,6 +108,11 @@ impl Patch {
     #[inline]
     pub(super) fn is_alive(&self, v: u32) -> bool {
         self.out[v as usize] != NONE
+    }
+
+    /// How many vertices inside have triangles.
+    pub(super) fn inner_vertices(&self) -> usize {
+        self.x.len() - self.fixed - self.gone
     }
 
     #[inline]
@@ -284,6 +294,7 @@ impl Patch {
         self.link(bc, ca);
         self.link(ad, db);
         self.out[a as usize] = NONE;
+        self.gone += 1;
         // Every triangle kept around b and the two apexes can tell a half-edge.
         for g in [bc, ca, ad, db].into_iter().filter(|&g| g != NONE) {
             let (from, to) = (self.origin(g), self.target(g));
@@ -366,6 +377,7 @@ impl Patch {
         self.triangles = fresh.triangles;
         self.opposite = fresh.opposite;
         self.out = fresh.out;
+        self.gone = fresh.gone;
     }
 }
 
@@ -391,6 +403,10 @@ impl Patch {
         edges.sort_unstable();
         if let Some(w) = edges.windows(2).find(|w| w[0] == w[1]) {
             return Err(format!("edge {:?} twice", w[0]));
+        }
+        let inner = (self.fixed as u32..self.x.len() as u32).filter(|&v| self.is_alive(v));
+        if inner.count() != self.inner_vertices() {
+            return Err(format!("{} vertices are not inside", self.inner_vertices()));
         }
         for v in 0..self.x.len() {
             let h = self.out[v];

@@ -110,7 +110,7 @@ impl<'a> Refiner<'a> {
         let mut enough = true;
         // Evening out moves vertices; where it would make ever more, the lengths wanted cannot be had.
         let most = self.fineness.most;
-        self.fineness.most = most.min(MORE * self.inner_vertices() + self.patch.fixed);
+        self.fineness.most = most.min(MORE * self.patch.inner_vertices() + self.patch.fixed);
         for _ in 0..ROUNDS {
             if is_stopped() {
                 break;
@@ -196,7 +196,7 @@ impl<'a> Refiner<'a> {
                 push(self, &mut queue, h);
             }
         }
-        let mut inner = self.inner_vertices();
+        let mut inner = self.patch.inner_vertices();
         while let Some((_, h, a, b)) = queue.pop() {
             if !self.is_inner(h) || self.patch.origin(h) != a || self.patch.target(h) != b {
                 continue;
@@ -419,13 +419,6 @@ impl<'a> Refiner<'a> {
                 flipped(3 * t0 + 2);
             }
         }
-    }
-
-    /// The vertices inside.
-    pub(super) fn inner_vertices(&self) -> usize {
-        (self.patch.fixed as u32..self.patch.x.len() as u32)
-            .filter(|&v| self.patch.is_alive(v))
-            .count()
     }
 
     fn collapse_short(&mut self) {

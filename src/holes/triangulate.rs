@@ -5,7 +5,7 @@
 //! cubic. A longer loop is first shortened by ears: the triangle over two consecutive edges with the shortest chord,
 //! if it bends little and the ball over its chord holds no other vertex of the loop, which makes the chord a Delaunay
 //! edge of what is left (a Gabriel edge). Ears that do not fulfil this come last. Time is then quadratic in the worst
-//! case with a small factor, memory linear.
+//! case with a small factor, memory linear. One with guides is cut at them before.
 //!
 //! For several loops a sum takes the place of the worst angle: from the end of a tube to the next tube some angle at the
 //! boundary is wide in any case, and area would decide between all the rest. Length times angle finds what is plane, narrow or convex;
@@ -120,6 +120,9 @@ impl Polygon<'_> {
     /// The triangles, in numbers of the loop's vertices, or `None` if there is no triangulation without the edges taken, or the run is
     /// stopped.
     pub(super) fn triangulate(&self) -> Option<Vec<[u32; 3]>> {
+        if self.x.len() > self.measure.dynamic() && !self.guides.is_empty() {
+            return self.triangulate_pieces();
+        }
         let mut triangles = Vec::with_capacity(self.x.len().saturating_sub(2));
         let (polygon, normals) = if self.x.len() > self.measure.dynamic() {
             self.shorten(&mut triangles)?

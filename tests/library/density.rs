@@ -2,7 +2,10 @@
 
 use std::collections::HashMap;
 
-use fairmesh::{FillOptions, Loops, Outcome, RemeshOptions, Remeshed, Selection, fill_holes, remesh_region};
+use fairmesh::{
+    BridgeOptions, Bridged, Error, FillOptions, FillOutcome, Loops, Outcome, RemeshOptions, Remeshed,
+    Selection, bridge, fill_holes, remesh_region,
+};
 use fairmesh_shapes::{Sampling, sphere_with_hole};
 
 const DENSITIES: [f64; 9] = [0.1, 0.3, 1.0, 1.5, 3.0, 5.66, 8.0, 9.0, 10.0];
@@ -105,4 +108,55 @@ fn a_region_is_triangulated_anew_at_every_density() {
     }
     // 14 by 14 squares at the grid's own fineness times 100 / 2 but for a margin.
     assert_at_least!(before, 5_000, "density 10");
+}
+
+/// A bridge between two plates of 2 by 6 squares, from the four edges in the middle of one to those of the other.
+fn bridged_plates(gap: f64, density: f64) -> Result<Bridged, Error> {
+    let places = (0..3).flat_map(|i| (0..7).map(move |j| [f64::from(i), f64::from(j), 0.0]));
+    let plate: Vec<[f64; 3]> = places.collect();
+    let beyond = plate.iter().map(|p| [p[0] + 2.0 + gap, p[1], p[2]]);
+    let x: Vec<[f64; 3]> = plate.iter().copied().chain(beyond).collect();
+    let squares = |first: u32| (0..12).map(move |k| first + 7 * (k / 6) + k % 6);
+    let t: Vec<[u32; 3]> = squares(0)
+        .chain(squares(21))
+        .flat_map(|a| [[a, a + 7, a + 8], [a, a + 8, a + 1]])
+        .collect();
+    let options = BridgeOptions {
+        filling: FillOptions {
+            density,
+            ..FillOptions::default()
+        },
+        ..BridgeOptions::default()
+    };
+    bridge(&x, &t, [&[15, 16, 17, 18, 19], &[22, 23, 24, 25, 26]], &options)
+}
+
+/// A density of 10 counted all vertices again for each that it made.
+#[test]
+fn a_bridge_is_made_at_every_density() {
+    for density in DENSITIES {
+        let bridged = bridged_plates(12.0, density).unwrap();
+        assert_eq!(bridged.strip.outcome, FillOutcome::Faired, "density {density}");
+        assert!(
+            bridged.positions.iter().all(|p| p[2].abs() < 1e-9),
+            "density {density}"
+        );
+        let valence = largest_valence(&bridged.triangles, 48);
+        assert_below!(valence, 20, "density {density}");
+    }
+}
+
+/// A gap of a million edges took minutes: chords were compared with all guides, and ears with all vertices.
+#[test]
+fn a_bridge_over_a_far_gap_ends_soon() {
+    let far = bridged_plates(1e6, 2.0f64.sqrt()).map(|bridged| bridged.strip.outcome);
+    let refused = Error::BadOption {
+        name: "max_new_vertices",
+        value: 200_000.0,
+        range: "at least the number of vertices that the two sides of the bridge need",
+    };
+    assert_eq!(far, Err(refused));
+    let bridged = bridged_plates(4_000.0, 2.0f64.sqrt()).unwrap();
+    assert_eq!(bridged.strip.outcome, FillOutcome::Faired);
+    assert_at_least!(bridged.parents.len(), 16_000);
 }
