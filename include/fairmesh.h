@@ -791,7 +791,7 @@ enum fairmesh_fill_reason
      */
     FAIRMESH_FILL_REASON_NOT_ASKED_FOR = 9,
     /**
-     * No fair patch was found, and such loops were to stay open.
+     * No patch was found that is fair and without reservations, and such loops were to stay open.
      */
     FAIRMESH_FILL_REASON_NOT_FAIR = 10,
     /**
@@ -894,7 +894,7 @@ typedef uint32_t fairmesh_gap_kind;
 #endif // __cplusplus
 
 /**
- * What a loop gets for which no fair patch is found, or none that does not intersect itself or the mesh. Numbers are never reused.
+ * What a loop gets whose patch is no success: not fair, creased, intersecting, or with any other reservation. Numbers are never reused.
  */
 enum fairmesh_on_failure
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -1845,7 +1845,7 @@ typedef struct fairmesh_fill_options {
      */
     uint32_t struct_size;
     /**
-     * A `fairmesh_on_failure`: what a loop gets for which no fair patch is found. Default: the best surface there is.
+     * A `fairmesh_on_failure`: what a loop gets whose patch is no success. Default: the best surface there is.
      */
     uint32_t on_failure;
     /**

@@ -100,7 +100,7 @@ void add_patch_parameters(RichParameterList &list) {
                           "Larger patches become coarser, and the log says so."));
     list.addParam(
         RichEnum("on_failure", static_cast<int>(standard.on_failure), {"Best there is", "Flat", "Nothing"}, "If not fair",
-                 "What a hole gets for which no fair patch is found, or none that does not intersect anything. Best there is: the "
+                 "What a hole gets whose patch is not fair, creased, intersects something or has another flaw. Best there is: the "
                  "best surface that was found. Flat: the triangulation, refined. Nothing: it stays as it is. The log says so."));
 }
 

@@ -200,7 +200,7 @@ pub enum fairmesh_fill_reason {
     SharedVertex = 8,
     /// It is not one of those that were asked for.
     NotAskedFor = 9,
-    /// No fair patch was found, and such loops were to stay open.
+    /// No patch was found that is fair and without reservations, and such loops were to stay open.
     NotFair = 10,
     /// Every patch that was tried intersects itself or the mesh, and such loops were to stay open.
     Intersects = 11,
@@ -261,7 +261,7 @@ pub enum fairmesh_gap_kind {
     Island = 2,
 }
 
-/// What a loop gets for which no fair patch is found, or none that does not intersect itself or the mesh. Numbers are never reused.
+/// What a loop gets whose patch is no success: not fair, creased, intersecting, or with any other reservation. Numbers are never reused.
 #[repr(u32)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[allow(dead_code, reason = "numbers for C")]

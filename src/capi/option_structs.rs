@@ -108,7 +108,7 @@ pub(crate) type FillOptionsLists = [Array; 1];
 pub struct fairmesh_fill_options {
     /// `sizeof(fairmesh_fill_options)`.
     pub struct_size: u32,
-    /// A `fairmesh_on_failure`: what a loop gets for which no fair patch is found. Default: the best surface there is.
+    /// A `fairmesh_on_failure`: what a loop gets whose patch is no success. Default: the best surface there is.
     pub on_failure: u32,
     /// Not 0: the patches are faired. Default: yes.
     pub fair: u32,

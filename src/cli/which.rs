@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::formats::Geometry;
 use crate::join::{self, JoinArg};
 
-/// What becomes of a loop for which no fair patch is found.
+/// What becomes of a loop whose patch is no success.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum OnFailureKind {
     /// The best surface found; the report says which
@@ -56,7 +56,8 @@ pub struct WhichArgs {
     /// (smallest, then largest coordinates)
     #[arg(long, value_name = "PLACE", group = "which", value_parser = place, allow_hyphen_values = true, verbatim_doc_comment)]
     within: Option<Place>,
-    /// What to do with a hole for which no fair patch without intersections is found
+    /// What to do with a hole whose patch is no success: not fair, creased, intersecting, or
+    /// with any other reservation that its report names
     #[arg(
         long,
         value_enum,

@@ -83,7 +83,7 @@ pub fn all() -> Vec<Table> {
         fairmesh_join_kind: Join::TABLE;
         /// What lies between loops that are joined.
         fairmesh_gap_kind with texts: GapKind::TABLE;
-        /// What a loop gets for which no fair patch is found, or none that does not intersect itself or the mesh.
+        /// What a loop gets whose patch is no success: not fair, creased, intersecting, or with any other reservation.
         fairmesh_on_failure: OnFailure::TABLE;
         /// A part of space.
         fairmesh_place_kind: &[statuses::EVERYWHERE], Place::TABLE;

@@ -2,7 +2,7 @@
 
 use super::crossing::Neighbours;
 use super::options::OnFailure;
-use super::outcome::OpenReason;
+use super::outcome::{FillOutcome, OpenReason, has_no_area};
 use super::patch::Patch;
 use crate::fairing::ProgressCallback;
 use crate::holes::patch_surface::{PatchSurface, Task};
@@ -13,6 +13,8 @@ pub(super) struct Check<'c, 'm> {
     pub(super) of: usize,
     /// What it may intersect; none if that is not asked for.
     pub(super) neighbours: Option<&'c mut Neighbours<'m>>,
+    /// Whether the rim is sound with it.
+    pub(super) has_sound_rim: &'c dyn Fn(&PatchSurface) -> bool,
 }
 
 impl Check<'_, '_> {
@@ -22,6 +24,13 @@ impl Check<'_, '_> {
             Some(neighbours) => neighbours.judged(self.of, piece),
             None => piece,
         }
+    }
+}
+
+impl PatchSurface {
+    /// The verdict of its report, but for the rim and intersections.
+    fn is_good(&self) -> bool {
+        self.outcome.is_success(self.fairing.as_ref()) && !has_no_area(self.triangles.len(), self.worst_angle)
     }
 }
 
@@ -46,15 +55,24 @@ impl Task<'_> {
                 .and_then(|coarse| self.gentler(coarse, &judge, tell));
             piece = gentler.unwrap_or(piece);
         }
-        if !piece.is_fair() {
-            match on_failure {
-                OnFailure::Open => return PatchSurface::open(OpenReason::NotFair),
-                OnFailure::Flat => piece = check.judged(self.flattened(piece)),
-                OnFailure::Linear => {}
+        if on_failure == OnFailure::Flat && !piece.is_good() {
+            piece = check.judged(self.flattened(piece));
+        }
+        // What is faired is replaced by what is not, which would be no success.
+        let is_final = on_failure == OnFailure::Open && piece.outcome == FillOutcome::Faired;
+        if let Some(neighbours) = check.neighbours.as_ref().filter(|_| !is_final) {
+            piece = neighbours.avoided(check.of, self, piece, avoiding.as_ref(), on_failure);
+        }
+        if on_failure == OnFailure::Open {
+            if !piece.is_good() || !(check.has_sound_rim)(&piece) {
+                return PatchSurface::open(OpenReason::NotFair);
+            }
+            if !piece.crossings.is_empty() {
+                return PatchSurface::open(OpenReason::Intersecting);
             }
         }
         match &mut check.neighbours {
-            Some(neighbours) => neighbours.settle(check.of, self, piece, avoiding.as_ref(), on_failure),
+            Some(neighbours) => neighbours.kept(check.of, piece),
             None => piece,
         }
     }

@@ -287,6 +287,7 @@ impl<'m> Strip<'m> {
         let check = Check {
             of: 0,
             neighbours: neighbours.as_mut(),
+            has_sound_rim: &|_| true,
         };
         let piece = task.settled(check, filling.on_failure, tell);
         Ok(match is_stopped() {

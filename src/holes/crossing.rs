@@ -6,7 +6,7 @@ use rstar::{AABB, Envelope, RTree};
 
 use super::loops::BoundaryLoop;
 use super::options::OnFailure;
-use super::outcome::{FillOutcome, OpenReason};
+use super::outcome::FillOutcome;
 use super::patch::Patch;
 use super::surroundings::bounds;
 use crate::fairing::SelfIntersections;
@@ -69,9 +69,9 @@ impl<'m> Neighbours<'m> {
         }
     }
 
-    /// Keeps a patch whose intersections are known, or one made by other means if this one has some and that one has none.
-    pub(super) fn settle(
-        &mut self,
+    /// A patch whose intersections are known, or one made by other means if this one has some and that one has none.
+    pub(super) fn avoided(
+        &self,
         of: usize,
         task: &Task<'_>,
         mut best: PatchSurface,
@@ -90,14 +90,16 @@ impl<'m> Neighbours<'m> {
                 }
             }
         }
-        if !best.crossings.is_empty() && on_failure == OnFailure::Open {
-            return PatchSurface::open(OpenReason::Intersecting);
-        }
-        self.keep(of, &best);
-        if !best.crossings.is_empty() {
-            best.outcome = FillOutcome::SelfIntersecting;
-        }
         best
+    }
+
+    /// The patch, which is there for later ones, and says whether it intersects something.
+    pub(super) fn kept(&mut self, of: usize, mut piece: PatchSurface) -> PatchSurface {
+        self.keep(of, &piece);
+        if !piece.crossings.is_empty() {
+            piece.outcome = FillOutcome::SelfIntersecting;
+        }
+        piece
     }
 
     /// What later patches may intersect.

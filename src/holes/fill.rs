@@ -237,7 +237,8 @@ pub(super) fn fill_within(
         filled.append(piece, &groups[i], edges(i), seconds);
         if let Some(report) = filled.loops.last_mut() {
             let triangles = report.triangles.start as usize..report.triangles.end as usize;
-            let turned = rims.turned(i, &filled.positions, &filled.triangles[triangles], &joined.copies);
+            let name = |v: u32| joined.copies.smallest(v);
+            let turned = rims.turned(i, &filled.positions, &filled.triangles[triangles], name);
             report.rim = rims.report(i).filter(|_| open.binary_search(&i).is_err());
             report.rim.iter_mut().for_each(|rim| rim.folded += turned);
             report.self_intersections = pairs;
@@ -364,9 +365,18 @@ impl FillRun<'_> {
                 .with_normals(i, &surroundings, local_options(&surroundings, self.fairing)),
             precision: self.options.fairing.output_precision,
         };
+        let rims = self.rims;
+        let has_sound_rim = |piece: &PatchSurface| {
+            let x = piece.boundary.iter().map(|&v| rims.positions[v as usize]);
+            let x: Vec<[f64; 3]> = x.chain(piece.positions.iter().copied()).collect();
+            let name = |v: u32| piece.boundary.get(v as usize).copied().unwrap_or(NONE);
+            let is_sound = rims.report(i).is_none_or(|rim| rim.is_sound());
+            is_sound && rims.turned(i, &x, &piece.triangles, name) == 0
+        };
         let check = Check {
             of: i,
             neighbours: self.neighbours.as_mut(),
+            has_sound_rim: &has_sound_rim,
         };
         let piece = task.settled(check, self.options.on_failure, &mut tell);
         if is_stopped() {

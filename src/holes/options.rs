@@ -116,7 +116,8 @@ impl Place {
 }
 
 choices! {
-    /// What becomes of a loop for which no fair patch is found, or none that does not intersect itself or the mesh.
+    /// What becomes of a loop whose patch is no [success](super::LoopReport::is_success): creased, intersecting, not fair, converged loosely, with
+    /// triangles that are poor or have no area, or with a rim that folds.
     #[derive(Default)]
     #[non_exhaustive]
     OnFailure {
@@ -169,7 +170,7 @@ options! {
         /// Smaller loops are served first. Default 200000. No loop of n edges gets more than 1000 + n^2 of them, times the
         /// square of a density above 1: a round hole takes a tenth.
         max_new_vertices: usize = 200_000, count "vertices";
-        /// What a loop gets for which no fair patch is found. Default: the best surface there is.
+        /// What a loop gets whose patch is no success. Default: the best surface there is.
         on_failure: OnFailure = OnFailure::default(), choice "fairmesh_on_failure";
         /// What may happen to the mesh around a loop before it is filled. Default: nothing.
         rim: Rim = Rim::default(), elsewhere;

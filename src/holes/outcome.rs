@@ -53,7 +53,7 @@ pub enum OpenReason {
     },
     /// The loop is none of those asked for.
     NotAsked,
-    /// No fair patch was found, and such loops were to stay open.
+    /// No patch was found that is a [success](LoopReport::is_success), and such loops were to stay open.
     NotFair,
     /// Every patch intersects itself, the mesh or another patch, and such loops were to stay open.
     Intersecting,
@@ -121,6 +121,21 @@ table!(FillOutcome {
 });
 
 impl FillOutcome {
+    /// Whether there is nothing to be said of an end, with the report of the fairing, if there was one.
+    pub(super) fn is_success(&self, fairing: Option<&Report>) -> bool {
+        match self {
+            Self::Faired => fairing.is_some_and(|report| report.outcome.is_success()),
+            Self::Flat { reason } => matches!(reason, FlatReason::NotAsked | FlatReason::NoInnerVertex),
+            Self::LeftOpen(
+                OpenReason::OuterBoundary
+                | OpenReason::Hanging { .. }
+                | OpenReason::TooManyEdges
+                | OpenReason::NotAsked,
+            ) => true,
+            _ => false,
+        }
+    }
+
     /// What a fairing makes of a patch. `is_wild`: triangles are flipped, or vertices far outside the loop's box, which is no
     /// flaw of a sound surface: there its equation puts it.
     pub(super) fn of_fairing(of: &Outcome, is_wild: bool) -> Self {
@@ -155,8 +170,8 @@ table!(OpenReason {
         "two of the loops to be joined have a vertex in common", "fill them by themselves, or give each a vertex of its own";
     9 "not_asked_for" OpenReason::NotAsked => "it is not one of those that were asked for", "name the loop, or ask for more of them";
     10 "not_fair" OpenReason::NotFair =>
-        "no fair patch was found, and such loops were to stay open",
-        "fill it with a patch that is not fair, or join it to its neighbours, or remove faces around it";
+        "no patch was found that is fair and without reservations, and such loops were to stay open",
+        "fill it with what there is, whose report has the reasons, or join it to its neighbours, or remove faces around it";
     11 "intersects" OpenReason::Intersecting =>
         "every patch that was tried intersects itself or the mesh, and such loops were to stay open",
         "join the loop to its neighbours, clean its boundary, or remove faces around it";
@@ -218,6 +233,11 @@ pub struct LoopReport {
     pub seconds: f64,
 }
 
+/// Whether one of so many triangles has no area, by the least angle (degrees).
+pub(super) fn has_no_area(triangles: usize, worst_angle: f64) -> bool {
+    triangles > 0 && worst_angle < NO_ANGLE
+}
+
 impl LoopReport {
     /// Whether there is nothing to be said of it: a patch that converged without reservation, or was not to be faired, and whose triangles have
     /// areas; or a loop that stayed open because it was not asked for. The same in every host.
@@ -225,27 +245,12 @@ impl LoopReport {
         if self.rim.as_ref().is_some_and(|rim| !rim.is_sound()) || self.has_no_area() {
             return false;
         }
-        match &self.outcome {
-            FillOutcome::Faired => self
-                .fairing
-                .as_ref()
-                .is_some_and(|report| report.outcome.is_success()),
-            FillOutcome::Flat { reason } => {
-                matches!(reason, FlatReason::NotAsked | FlatReason::NoInnerVertex)
-            }
-            FillOutcome::LeftOpen(
-                OpenReason::OuterBoundary
-                | OpenReason::Hanging { .. }
-                | OpenReason::TooManyEdges
-                | OpenReason::NotAsked,
-            ) => true,
-            _ => false,
-        }
+        self.outcome.is_success(self.fairing.as_ref())
     }
 
     /// Whether a new triangle has no area: its corners are on a line.
     pub fn has_no_area(&self) -> bool {
-        !self.is_open() && !self.triangles.is_empty() && self.worst_angle < NO_ANGLE
+        !self.is_open() && has_no_area(self.triangles.len(), self.worst_angle)
     }
 
     /// Whether an outer boundary stayed open.

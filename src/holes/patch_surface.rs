@@ -263,9 +263,9 @@ impl Task<'_> {
         (better && !is_failed(&again.report)).then_some((patch, again))
     }
 
-    /// The triangulation, refined, in place of a surface that is not fair; as it is where it is that already.
+    /// The triangulation, refined, in place of a surface that is no success; as it is where it is that already.
     pub(super) fn flattened(&self, piece: PatchSurface) -> PatchSurface {
-        if piece.outcome != FillOutcome::Linear {
+        if matches!(piece.outcome, FillOutcome::Flat { .. }) {
             return piece;
         }
         match self.triangulate(false, None) {

@@ -1,6 +1,8 @@
 //! Holes are told from outer boundaries, with noise too.
 
-use fairmesh::{FillOptions, FillOutcome, LoopKind, LoopReport, Loops, boundary_loops, fill_holes};
+use fairmesh::{
+    FillOptions, FillOutcome, LoopKind, LoopReport, Loops, OnFailure, boundary_loops, fill_holes,
+};
 use fairmesh_shapes::{Sampling, sphere_with_hole};
 
 use crate::holes::largest;
@@ -118,9 +120,8 @@ fn a_patch_across_a_sharp_edge_is_no_success() {
     assert!(!hole.unwrap().is_success() && !filled.is_success(), "{hole:?}");
 }
 
-/// A slit of three vertices on a line has no other patch than a triangle without area.
-#[test]
-fn a_patch_without_area_is_no_success() {
+/// A square with a slit of three vertices on a line, and the loop around it.
+fn slit() -> (Mesh, Vec<usize>) {
     let x = [[-2, -1], [2, -1], [2, 1], [-2, 1], [-1, 0], [0, 0], [1, 0]]
         .map(|[x, y]| [f64::from(x), f64::from(y), 0.0]);
     let t = [
@@ -133,12 +134,16 @@ fn a_patch_without_area_is_no_success() {
         [0, 6, 4],
     ];
     let loops = boundary_loops(&x, &t).unwrap();
+    let slits = (0..loops.len()).filter(|&l| loops[l].vertices.len() == 3);
+    ((x.to_vec(), t.to_vec()), slits.collect())
+}
+
+/// A slit has no other patch than a triangle without area.
+#[test]
+fn a_patch_without_area_is_no_success() {
+    let ((x, t), loops) = slit();
     let options = FillOptions {
-        loops: Loops::Chosen(
-            (0..loops.len())
-                .filter(|&l| loops[l].vertices.len() == 3)
-                .collect(),
-        ),
+        loops: Loops::Chosen(loops),
         ..FillOptions::default()
     };
     let filled = fill_holes(&x, &t, &options).unwrap();
@@ -147,6 +152,51 @@ fn a_patch_without_area_is_no_success() {
     };
     assert_eq!((slit.triangles.len(), slit.has_no_area()), (1, true), "{slit:?}");
     assert!(!slit.is_success() && !filled.is_success());
+}
+
+/// Whatever a patch is no success for, a crease across a sharp edge, no area, too few iterations, noise or a folded rim: such loops stay open if they
+/// shall.
+#[test]
+fn what_is_no_success_stays_open_if_asked() {
+    let all = Loops::UpTo(usize::MAX);
+    let ball = sphere(40.0);
+    let cases = [
+        (roof(0.4), all.clone(), 64, 0),
+        (slit().0, Loops::Chosen(slit().1), 64, 0),
+        (ball.clone(), all.clone(), 1, 0),
+        (with_noise(&ball, 0.5, false, 1), all.clone(), 64, 0),
+        // These rims are folded; beside the first the patch converges.
+        (with_noise(&ball, 0.3, false, 0), all.clone(), 64, 1),
+        (with_noise(&ball, 0.8, false, 2), all, 64, 1),
+    ];
+    for (k, ((x, t), loops, max_iterations, relax)) in cases.into_iter().enumerate() {
+        let with = |on_failure: OnFailure| {
+            let mut options = FillOptions {
+                loops: loops.clone(),
+                on_failure,
+                ..FillOptions::default()
+            };
+            (options.fairing.max_iterations, options.rim.relax) = (max_iterations, relax);
+            fill_holes(&x, &t, &options).unwrap()
+        };
+        let [linear, flat, open] = [OnFailure::Linear, OnFailure::Flat, OnFailure::Open].map(with);
+        let mut failed = 0;
+        for ((linear, flat), open) in linear.loops.iter().zip(&flat.loops).zip(&open.loops) {
+            let is_open = |of: &LoopReport| matches!(of.outcome, FillOutcome::LeftOpen(_));
+            let is_faired = |of: &LoopReport| matches!(of.outcome, FillOutcome::Faired | FillOutcome::Linear);
+            failed += usize::from(!linear.is_success());
+            assert_eq!(
+                is_open(open),
+                is_open(linear) || !linear.is_success(),
+                "{k}: {open:?}"
+            );
+            if !linear.is_success() && linear.rim.is_none() {
+                assert!(!is_faired(flat), "{k}: {flat:?}");
+            }
+        }
+        assert_eq!((open.positions, open.triangles), (x, t), "{k}");
+        assert_eq!(failed, 1, "{k}");
+    }
 }
 
 #[test]

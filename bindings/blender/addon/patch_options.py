@@ -21,7 +21,7 @@ class PatchOptions:
     smooth: switch("Fair", "Make the patch a smooth continuation of its surroundings. Off: it stays as triangulated", True)
     on_failure: selection(
         "If Not Fair",
-        "What a hole gets for which no fair patch is found, or none that does not intersect anything",
+        "What a hole gets whose patch is not fair, creased, intersects something or has another flaw",
         ("LINEAR", "Best There Is", "The best surface that is found; a warning says what it lacks"),
         ("FLAT", "Flat", "The patch as triangulated"),
         ("OPEN", "Nothing", "It stays open"),

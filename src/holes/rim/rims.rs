@@ -167,17 +167,18 @@ impl<'m> Rims<'m> {
         positions
     }
 
-    /// How many of these triangles of a patch are turned away from the surface fitted at one of their vertices on the loops.
+    /// How many of these triangles of a patch are turned away from the surface fitted at one of their vertices on the loops. `name` has the
+    /// joined mesh's numbers.
     pub(in crate::holes) fn turned(
         &self,
         patch: usize,
         x: &[[f64; 3]],
         triangles: &[[u32; 3]],
-        copies: &Copies,
+        name: impl Fn(u32) -> u32,
     ) -> usize {
         let Some(moved) = &self.of[patch] else { return 0 };
         let fitted = |v: &u32| {
-            let v = copies.smallest(*v);
+            let v = name(*v);
             let at = moved.normals.binary_search_by_key(&v, |entry| entry.0);
             at.ok().map(|at| Vector3::from(moved.normals[at].1))
         };
