@@ -75,8 +75,8 @@ class LoopReport:
         self.reason: FillReason = FillReason.of(struct.reason)
         #: The status that the fairing was refused with, or None.
         self.refused: Status | None = Status.of(struct.refused_status) if struct.refused_status else None
-        #: What the reason is about: of OPPOSITE_SIDES two loops, of NON_MANIFOLD the ends of an edge, of SHARED_VERTEX
-        #: and NOT_FINITE a vertex; otherwise empty.
+        #: What the reason is about: of OPPOSITE_SIDES two loops, of NON_MANIFOLD and INCONSISTENT the ends of an edge,
+        #: of SHARED_VERTEX, HANGING and NOT_FINITE a vertex; otherwise empty.
         self.reason_elements: tuple[int, ...] = tuple(
             element for element in (struct.reason_element, struct.reason_other) if element != _abi.NO_ELEMENT
         )
