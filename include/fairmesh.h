@@ -1495,6 +1495,12 @@ typedef struct fairmesh_result fairmesh_result;
 typedef struct fairmesh_solver fairmesh_solver;
 
 /**
+ * Called with a line of English, which is valid during the call. It may be called on any thread, and by several at once; it may not throw or
+ * `longjmp`, and it calls no function of the library.
+ */
+typedef void (*fairmesh_log_fn)(const char *message, void *user_data);
+
+/**
  * Points or vectors to be read: x, y, z, three numbers side by side at every `stride` bytes.
  */
 typedef struct fairmesh_points {
@@ -2987,6 +2993,14 @@ extern "C" {
 #endif // __cplusplus
 
 /**
+ * Hands what the library would write to stderr to a function, for the whole process: the words of a bug that was caught, for which the call
+ * answers INTERNAL. `log` may be NULL: to stderr again.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_set_log(fairmesh_log_fn log,
+                                 void *user_data);
+
+/**
  * The version of the library that runs: 65536 major + 256 minor + patch. Compare it with `FAIRMESH_VERSION_MAJOR` and so on,
  * which are those of the header.
  */
@@ -3228,6 +3242,19 @@ fairmesh_status fairmesh_remesh(const struct fairmesh_mesh *mesh,
                                 const struct fairmesh_remesh_options *options,
                                 struct fairmesh_result **result,
                                 struct fairmesh_error *error);
+
+/**
+ * How much memory a call takes at most, about, in bytes: `fairmesh_fill_holes` with these arguments, or where `fill` is NULL `fairmesh_fair`,
+ * whose `selection` may be NULL, too. As much again is set aside before it works, as address space that is not touched while there is
+ * memory; in WebAssembly, where address space is memory, at most 256 MB. What the caller's own arrays take comes on top.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_memory_needed(const struct fairmesh_mesh *mesh,
+                                       const struct fairmesh_selection *selection,
+                                       const struct fairmesh_fill_options *fill,
+                                       const struct fairmesh_options *options,
+                                       uint64_t *bytes,
+                                       struct fairmesh_error *error);
 
 /**
  * Deletes a region, and fills the loops that are left, those of each component of the region with one patch: where the shape that it has is of no

@@ -419,6 +419,16 @@ struct budget {
     double tolerance = 0;
 };
 
+/** About how many bytes a fairing takes at most; see fairmesh_memory_needed. */
+inline std::uint64_t memory_needed(const fairmesh_mesh &mesh, const fairmesh_selection &selection, const options &asked = options()) {
+    std::uint64_t bytes = 0;
+    detail::call(fairmesh_memory_needed, &mesh, &selection, static_cast<const fairmesh_fill_options *>(nullptr), &asked, &bytes);
+    return bytes;
+}
+
+/** Takes what the library would write to stderr; see fairmesh_set_log. */
+inline void set_log(fairmesh_log_fn log, void *user_data = nullptr) { fairmesh_set_log(log, user_data); }
+
 /** Fairing in steps; see fairmesh_solver_new. Used by one thread at a time. */
 class solver {
 public:

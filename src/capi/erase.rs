@@ -89,7 +89,7 @@ pub extern "C" fn fairmesh_trim_boundary(
         }
         let result = ResultOut::last(result, Argument(5), call)?;
         let (positions, triangles) = mesh.read()?;
-        let lists = listed.map_or(0, |list| list.count) * size_of::<usize>();
+        let lists = (listed.map_or(0, |list| list.count) as u64).saturating_mul(8);
         let bytes = memory_bounds::of_erasing(&mesh).saturating_add(lists);
         result.put(bytes, &HostCallback::none(), |_| {
             let loops = match listed {

@@ -146,7 +146,7 @@ pub extern "C" fn fairmesh_suggest_joins(
 }
 
 /// How large the patches will be.
-fn sizes_of(
+pub(crate) fn sizes_of(
     mesh: &MeshIn,
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],

@@ -1,5 +1,6 @@
 //! What every exported function runs in: no panic gets out, memory that runs out is told, the error detail is written last.
 
+use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::memory;
@@ -49,17 +50,21 @@ pub(crate) fn point() {
     super::hooks::panic_if_asked();
 }
 
+/// What a panic says.
+pub(crate) fn words(payload: &(dyn Any + Send)) -> &str {
+    payload
+        .downcast_ref::<&str>()
+        .copied()
+        .or_else(|| payload.downcast_ref::<String>().map(String::as_str))
+        .unwrap_or("a panic without words")
+}
+
 /// Catches a panic, and what dropping its payload may cause.
 fn caught<T>(work: impl FnOnce() -> T) -> Result<T, Failure> {
     catch_unwind(AssertUnwindSafe(work)).map_err(|payload| {
-        let said = payload
-            .downcast_ref::<&str>()
-            .copied()
-            .or_else(|| payload.downcast_ref::<String>().map(String::as_str))
-            .unwrap_or("a panic without words");
         let failure = Failure::new(
             fairmesh_status::Internal,
-            format_args!("a bug of fairmesh, please report it: {said}"),
+            format_args!("a bug of fairmesh, please report it: {}", words(&*payload)),
         );
         let _ = catch_unwind(AssertUnwindSafe(|| drop(payload)));
         failure

@@ -20,6 +20,7 @@ mod carry_over;
 mod choices;
 mod edits;
 mod erase;
+mod estimate;
 mod fair;
 mod fill;
 mod fill_options;
@@ -30,6 +31,7 @@ mod hole_records;
 mod hooks;
 mod input;
 mod live;
+mod log;
 mod loop_choice;
 mod memory;
 mod memory_bounds;
@@ -70,9 +72,11 @@ pub use callback::{fairmesh_progress, fairmesh_progress_fn};
 pub use carry_over::fairmesh_carry_over;
 pub use edits::{fairmesh_budget, fairmesh_bulge_range, fairmesh_edit, fairmesh_edit_kind, fairmesh_frame};
 pub use erase::*;
+pub use estimate::fairmesh_memory_needed;
 pub use fair::*;
 pub use fill::*;
 pub use live::*;
+pub use log::{fairmesh_log_fn, fairmesh_set_log};
 pub use loop_choice::{fairmesh_join, fairmesh_loop_filter, fairmesh_place};
 pub use option_structs::{
     fairmesh_bridge_options, fairmesh_fill_options, fairmesh_options, fairmesh_remesh_options,

@@ -319,10 +319,11 @@ impl List {
 /// A block from the reserves, counted as a failure of the system.
 #[cold]
 fn from_reserve(layout: Layout) -> *mut u8 {
-    FAILURES.fetch_add(1, Ordering::SeqCst);
+    // Its caller answers for it: nobody else has run out of memory.
     if WITHOUT.with(Cell::get) {
         return null_mut();
     }
+    FAILURES.fetch_add(1, Ordering::SeqCst);
     // SAFETY: under the lock.
     let block = unsafe { lock().take(layout) };
     if !block.is_null() {

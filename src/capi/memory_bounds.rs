@@ -9,40 +9,51 @@ use super::status::{CallResult, Failure};
 use super::views::try_with_capacity;
 
 /// For threads, channels and small things.
-const BASE: usize = 1 << 20;
+const BASE: u64 = 1 << 20;
 /// Per thread: its queues, and the room that dense kernels work in.
-const THREAD: usize = 6 << 20;
+const THREAD: u64 = 6 << 20;
 /// Per vertex and per triangle of the whole mesh: copies and numberings, and the tree that intersections are found by.
-const VERTEX: usize = 176;
-const TRIANGLE: usize = 480;
+const VERTEX: u64 = 176;
+const TRIANGLE: u64 = 480;
 /// Per free vertex, and per free vertex and binary digit of their number: the factors grow like n log n.
-const FREE: usize = 4 << 10;
-const FREE_DIGIT: usize = 400;
+const FREE: u64 = 4 << 10;
+const FREE_DIGIT: u64 = 400;
 /// Per component of the region but the first: its surroundings, up to eight rings of them.
-const COMPONENT: usize = 32 << 10;
+const COMPONENT: u64 = 32 << 10;
 /// Per free vertex, where curvature is continued: modes along the loops, extended over the region, and a factor for that.
-const CONTINUED: usize = 3 << 10;
+const CONTINUED: u64 = 3 << 10;
+/// Per vertex that is made.
+const MADE: u64 = 2000;
 /// Per edge of loops that are joined: what they are triangulated with.
-const EDGE: usize = 1 << 10;
+const EDGE: u64 = 1 << 10;
 /// Per vertex of the mesh, where boundaries are relaxed: positions, rings, and fits to what is around.
-const RELAXED: usize = 1 << 10;
+const RELAXED: u64 = 1 << 10;
 /// Per point whose place on a mesh is looked for.
-const CARRIED: usize = 160;
+const CARRIED: u64 = 160;
 /// Per entry of the two-ring pattern.
-const PATTERN: usize = 96;
+const PATTERN: u64 = 96;
+/// What is set aside at most. Only in WebAssembly is there a bound: its memory grows when a block is made, not when it is used, and a trap
+/// takes nothing along but the module, which the host has another one of. With this much, 4 GB are at least fifteen parts work; at half,
+/// a large call that runs out of memory is more often a trap; at double, of 1 GB a half is set aside.
+const MOST: u64 = if cfg!(target_family = "wasm") {
+    256 << 20
+} else {
+    u64::MAX
+};
 /// What a solver holds between its calls.
-pub(crate) const STANDING: usize = 64 << 10;
+pub(crate) const STANDING: u64 = 64 << 10;
 
 /// Sets the memory for a call aside.
-pub(crate) fn reserve(bytes: usize) -> CallResult<Reserve> {
-    Reserve::new(bytes).ok_or_else(Failure::out_of_memory)
+pub(crate) fn reserve(bytes: u64) -> CallResult<Reserve> {
+    let bytes = usize::try_from(bytes.min(MOST)).ok();
+    bytes.and_then(Reserve::new).ok_or_else(Failure::out_of_memory)
 }
 
-fn threads(asked: usize) -> usize {
+fn threads(asked: usize) -> u64 {
     if asked > 0 {
-        asked
+        asked as u64
     } else {
-        std::thread::available_parallelism().map_or(1, usize::from)
+        std::thread::available_parallelism().map_or(1, |n| n.get() as u64)
     }
 }
 
@@ -52,7 +63,7 @@ pub(crate) fn of_fairing(
     selected: &SelectedBy,
     asked: &OptionsIn,
     in_steps: bool,
-) -> CallResult<usize> {
+) -> CallResult<u64> {
     let free = selected.candidates(mesh)?;
     // The two-ring of a vertex has as many members as its neighbours have neighbours, at most.
     let mut valence = try_with_capacity::<u32>(mesh.vertices())?;
@@ -76,12 +87,12 @@ pub(crate) fn of_fairing(
     // Beyond what a valence of 6 makes of it.
     let beyond = valence
         .iter()
-        .map(|&d| (d as usize).saturating_mul(d as usize).saturating_sub(36));
-    let irregular = beyond.fold(0, usize::saturating_add);
+        .map(|&d| u64::from(d).saturating_mul(u64::from(d)).saturating_sub(36));
+    let irregular = beyond.fold(0, u64::saturating_add);
     let roots = (0..)
         .zip(free.iter())
         .filter(|(v, f)| **f && connected.0[*v] == *v as u32);
-    let components = roots.count().saturating_sub(1).saturating_mul(COMPONENT);
+    let components = (roots.count() as u64).saturating_sub(1) * COMPONENT;
     let free = free.iter().filter(|f| **f).count();
     let continued = in_steps || asked.asks_continuity();
     let region = of_region(free, irregular, continued).saturating_add(components);
@@ -107,73 +118,79 @@ impl Connected {
     }
 }
 
-fn sum(mesh: &MeshIn, asked_threads: usize) -> usize {
-    let counts = mesh.vertices() * VERTEX + mesh.triangles.count * TRIANGLE;
+fn sum(mesh: &MeshIn, asked_threads: usize) -> u64 {
+    let counts = mesh.vertices() as u64 * VERTEX + mesh.triangles.count as u64 * TRIANGLE;
     BASE + threads(asked_threads) * THREAD + counts
 }
 
-fn of_region(free: usize, irregular: usize, is_continued: bool) -> usize {
-    let digits = (usize::BITS - free.leading_zeros()) as usize;
-    let continued = CONTINUED * usize::from(is_continued);
-    free.saturating_mul(FREE + FREE_DIGIT * digits + continued)
+fn of_region(free: usize, irregular: u64, is_continued: bool) -> u64 {
+    let digits = u64::from(usize::BITS - free.leading_zeros());
+    let continued = CONTINUED * u64::from(is_continued);
+    (free as u64)
+        .saturating_mul(FREE + FREE_DIGIT * digits + continued)
         .saturating_add(irregular.saturating_mul(PATTERN))
 }
 
 /// For what looks at the whole mesh once.
-pub(crate) fn of_whole_mesh(mesh: &MeshIn, asked_threads: usize) -> usize {
-    sum(mesh, asked_threads) + mesh.triangles.count * TRIANGLE + mesh.vertices() * VERTEX
+pub(crate) fn of_whole_mesh(mesh: &MeshIn, asked_threads: usize) -> u64 {
+    sum(mesh, asked_threads) + mesh.triangles.count as u64 * TRIANGLE + mesh.vertices() as u64 * VERTEX
 }
 
 /// For patches of these sizes, at most; of boundaries that are `relaxed` the mesh around is looked at once more.
-pub(crate) fn of_filling(mesh: &MeshIn, patches: &PatchSizes, asked: &OptionsIn, relaxed: bool) -> usize {
+pub(crate) fn of_filling(mesh: &MeshIn, patches: &PatchSizes, asked: &OptionsIn, relaxed: bool) -> u64 {
     let region = of_region(patches.vertices, 0, asked.asks_continuity());
-    let rims = usize::from(relaxed) * (mesh.vertices() * RELAXED + of_whole_mesh(mesh, 1));
-    of_whole_mesh(mesh, asked.threads()) + of_triangulation(patches) + region + patches.vertices * 2000 + rims
+    let rims = u64::from(relaxed) * (mesh.vertices() as u64 * RELAXED + of_whole_mesh(mesh, 1));
+    of_whole_mesh(mesh, asked.threads())
+        + of_triangulation(patches)
+        + region
+        + patches.vertices as u64 * MADE
+        + rims
 }
 
 /// For finding out which loops to join.
-pub(crate) fn of_joining(mesh: &MeshIn, patches: &PatchSizes) -> usize {
+pub(crate) fn of_joining(mesh: &MeshIn, patches: &PatchSizes) -> u64 {
     of_whole_mesh(mesh, 1) + of_triangulation(patches)
 }
 
-fn of_triangulation(patches: &PatchSizes) -> usize {
+fn of_triangulation(patches: &PatchSizes) -> u64 {
     // Triangulation is quadratic up to the length where ears are cut first; bridges are looked for between each two loops.
-    let table = patches.longest.min(300).pow(2) * 64;
-    let joining = patches.joined.saturating_pow(2).saturating_mul(64);
-    joining.saturating_add(table + patches.longest * EDGE * usize::from(patches.joined > 1))
+    let table = (patches.longest as u64).min(300).pow(2) * 64;
+    let joining = (patches.joined as u64).saturating_pow(2).saturating_mul(64);
+    joining.saturating_add(table + patches.longest as u64 * EDGE * u64::from(patches.joined > 1))
 }
 
 /// For telling how rough boundaries are, besides what one look at the mesh takes.
-pub(crate) fn of_rims(vertices: usize, triangles: usize) -> usize {
-    threads(0) * THREAD + vertices * (RELAXED + 2 * VERTEX) + triangles * 2 * TRIANGLE
+pub(crate) fn of_rims(vertices: usize, triangles: usize) -> u64 {
+    threads(0) * THREAD + vertices as u64 * (RELAXED + 2 * VERTEX) + triangles as u64 * 2 * TRIANGLE
 }
 
 /// For deleting triangles.
-pub(crate) fn of_erasing(mesh: &MeshIn) -> usize {
+pub(crate) fn of_erasing(mesh: &MeshIn) -> u64 {
     2 * of_whole_mesh(mesh, 1)
 }
 
 /// For choosing triangles in so many steps, whose lists have so many entries together; bumps are looked for in parallel.
-pub(crate) fn of_selecting(mesh: &MeshIn, steps: usize, listed: usize) -> usize {
-    let each = steps.saturating_mul(size_of::<fairmesh::RegionStep>() + size_of::<fairmesh::Bump>());
+pub(crate) fn of_selecting(mesh: &MeshIn, steps: usize, listed: usize) -> u64 {
+    let each = size_of::<fairmesh::RegionStep>() + size_of::<fairmesh::Bump>();
+    let each = (steps as u64).saturating_mul(each as u64);
     of_whole_mesh(mesh, 0)
         .saturating_add(each.saturating_mul(2))
-        .saturating_add(listed.saturating_mul(size_of::<u32>()))
+        .saturating_add((listed as u64).saturating_mul(4))
 }
 
 /// For finding the nearest ones of so many triangles, which may be listed more than once, to so many points.
-pub(crate) fn of_carrying(mesh: &MeshIn, listed: usize, points: usize) -> usize {
-    let lists = listed.saturating_mul(2 * size_of::<u32>());
-    let places = points.saturating_mul(CARRIED);
+pub(crate) fn of_carrying(mesh: &MeshIn, listed: usize, points: usize) -> u64 {
+    let lists = (listed as u64).saturating_mul(8);
+    let places = (points as u64).saturating_mul(CARRIED);
     of_whole_mesh(mesh, 1)
         .saturating_add(lists)
         .saturating_add(places)
 }
 
 /// For remeshing a region.
-pub(crate) fn of_remeshing(mesh: &MeshIn, selected: &SelectedBy, most: usize) -> CallResult<usize> {
+pub(crate) fn of_remeshing(mesh: &MeshIn, selected: &SelectedBy, most: usize) -> CallResult<u64> {
     let free = selected.candidates(mesh)?.iter().filter(|f| **f).count();
     // Edges may become ten times shorter.
     let vertices = free.max(most.min(free.saturating_mul(200)));
-    Ok(of_whole_mesh(mesh, 1).saturating_add(vertices.saturating_mul(2000)))
+    Ok(of_whole_mesh(mesh, 1).saturating_add(vertices as u64 * MADE))
 }

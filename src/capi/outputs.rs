@@ -16,7 +16,7 @@ use fairmesh::{Coincident, ProgressCallback};
 
 /// Works with so much memory set aside. That it has run out is told before all else.
 pub(crate) fn with_memory<T>(
-    bytes: usize,
+    bytes: u64,
     callback: &HostCallback,
     work: impl FnOnce(&HostCallback) -> CallResult<T>,
 ) -> CallResult<T> {
@@ -61,7 +61,7 @@ impl ResultOut {
     /// Makes a result of what is found with so much memory set aside.
     pub(crate) fn put(
         &self,
-        bytes: usize,
+        bytes: u64,
         callback: &HostCallback,
         find: impl FnOnce(&mut ProgressCallback<'_>) -> CallResult<Content>,
     ) -> CallResult {

@@ -25,7 +25,7 @@ pub(crate) struct HeldSolver {
     pub callback: HostCallback,
     pub vertices: usize,
     /// What each call sets aside.
-    pub need: usize,
+    pub need: u64,
     /// For the thread that waits between the calls. Last, so that it outlives the solver.
     pub _standing: Reserve,
 }

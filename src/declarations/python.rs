@@ -53,6 +53,7 @@ pub fn declarations(items: &[Item]) -> String {
     items
         .iter()
         .for_each(|item| structure(&mut made, item, items, &mut known));
+    made.push_str("\n\nfairmesh_log_fn = CFUNCTYPE(None, c_char_p, c_void_p)\n");
     made.push_str("\n\n# A function's name: what it returns, and its parameters. Handles, and arrays in parameters, are plain addresses.\nFUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {\n");
     items.iter().for_each(|item| function(&mut made, item));
     made.push_str("}\n");

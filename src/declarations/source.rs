@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// The names of these files, in the order of the header.
-pub const SOURCES: [&str; 22] = [
+pub const SOURCES: [&str; 24] = [
     "numbers",
     "texts",
     "status",
@@ -13,6 +13,7 @@ pub const SOURCES: [&str; 22] = [
     "callback",
     "loop_choice",
     "option_structs",
+    "log",
     "about",
     "fair",
     "edits",
@@ -20,6 +21,7 @@ pub const SOURCES: [&str; 22] = [
     "steps",
     "live",
     "fill",
+    "estimate",
     "refill",
     "erase",
     "carry_over",

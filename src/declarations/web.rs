@@ -324,6 +324,7 @@ fn parameter(of: &Type) -> String {
     let Type::Ptr(pointer) = of else {
         return match last_name(of).as_str() {
             "usize" => "size".to_owned(),
+            "fairmesh_log_fn" => "pointer".to_owned(),
             other => other.to_owned(),
         };
     };

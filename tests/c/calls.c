@@ -1575,6 +1575,31 @@ static void continuity(void) {
     cap_free(&at.cap);
 }
 
+static void count_lines(const char *message, void *lines) {
+    CHECK(message[0] != 0);
+    ++*(int *)lines;
+}
+
+/* What is set aside grows with the region and with the holes; a log that nothing is written to. */
+static void hosts(void) {
+    Cap cap = cap_new(31);
+    fairmesh_fill_options fill = filling();
+    uint64_t small = 0, large = 0;
+    int lines = 0;
+    OK(fairmesh_set_log(count_lines, &lines));
+    OK(fairmesh_memory_needed(&cap.mesh, NULL, NULL, NULL, &large, &error));
+    OK(fairmesh_memory_needed(&cap.mesh, &cap.selection, NULL, NULL, &small, &error));
+    CHECK(small > 24 * cap.vertices && small < large);
+    OK(fairmesh_memory_needed(&cap.mesh, NULL, &fill, NULL, &small, &error));
+    fill.density *= 2;
+    OK(fairmesh_memory_needed(&cap.mesh, NULL, &fill, NULL, &large, &error));
+    CHECK(small <= large);
+    CHECK(fairmesh_memory_needed(&cap.mesh, NULL, &fill, NULL, NULL, &error) == FAIRMESH_STATUS_NULL_POINTER && error.element == 5);
+    OK(fairmesh_set_log(NULL, NULL));
+    CHECK(lines == 0);
+    cap_free(&cap);
+}
+
 /* A vertex of a host: what the library reads and writes stands side by side. */
 typedef struct {
     float position[3];
@@ -1632,6 +1657,7 @@ static void fields_of_a_host(void) {
 int main(void) {
     versions();
     one_shot();
+    hosts();
     fields_of_a_host();
     intersections();
     in_steps();

@@ -257,16 +257,26 @@ static void every_allocation(Scene *s, void (*work)(Scene *), const char *name, 
     CHECK(s->out_of_memory > 0);
 }
 
+static void keep(const char *message, void *kept) {
+    strncpy((char *)kept, message, 255);
+}
+
 static void panics(Scene *s) {
     ZERO(fairmesh_region_step, all);
     SIZED(fairmesh_info, info);
     fairmesh_solver *solver = NULL;
     fairmesh_points_out out = points_out_of(s->out, s->cap.vertices);
+    char told[256] = "";
     memset(s->out, 0x5a, 24 * s->cap.vertices);
+    /* In place of stderr. */
+    OK(fairmesh_set_log(keep, told));
     fairmesh_test_panic(0);
     CHECK(fairmesh_fair(&s->cap.mesh, &s->cap.selection, &s->options, &out, NULL, &result, &error) ==
           FAIRMESH_STATUS_INTERNAL);
     CHECK(result == NULL && strstr(error.message, "a test asked for this") != NULL && s->out[0] == s->out[1]);
+    CHECK(strstr(told, "a test asked for this") != NULL && strstr(told, "hooks.rs:") != NULL);
+    OK(fairmesh_set_log(NULL, NULL));
+    memset(told, 0, sizeof told);
     OK(fairmesh_solver_new(&s->cap.mesh, &s->cap.selection, &s->options, &solver, &error));
     fairmesh_test_panic(0);
     CHECK(fairmesh_solver_run(solver, 1, NULL, &error) == FAIRMESH_STATUS_INTERNAL);
@@ -282,6 +292,7 @@ static void panics(Scene *s) {
     OK(fairmesh_result_info(result, &info, &error));
     OK(fairmesh_result_free(result));
     result = NULL;
+    CHECK(told[0] == 0);
 }
 
 int main(int count, char **arguments) {

@@ -62,6 +62,8 @@ void fairing() {
                                  fairmesh::points_out(s.positions.data()->data(), s.positions.size()));
     CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED && calls > 0 && s.positions == x);
     CHECK(fairmesh::mean_curvature(mesh).size() == s.positions.size());
+    CHECK(fairmesh::memory_needed(mesh, fairmesh::interior()) > fairmesh::memory_needed(mesh, fairmesh::free_vertices(list)));
+    fairmesh::set_log(nullptr);
     CHECK(report.intersections_checked && report.intersection_count == 0);
     CHECK(fairmesh::self_intersections(mesh).empty() && fairmesh::self_intersections(mesh, {0, 1}).empty());
     std::vector<std::uint32_t> all(s.triangles.size());
