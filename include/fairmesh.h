@@ -2686,7 +2686,7 @@ typedef struct fairmesh_loop {
      */
     double turn;
     /**
-     * The bad edge of a non-manifold loop, otherwise UINT32_MAX.
+     * The bad edge of a non-manifold or inconsistent loop, otherwise UINT32_MAX.
      */
     uint32_t edge_a;
     /**
@@ -2818,12 +2818,12 @@ typedef struct fairmesh_fill_report {
      */
     uint64_t joined_count;
     /**
-     * What the reason names: of NON_MANIFOLD one end of the edge, of NOT_FINITE and SHARED_VERTEX the vertex, of OPPOSITE_SIDES one of
+     * What the reason names: of NON_MANIFOLD and INCONSISTENT one end of the edge, of NOT_FINITE, SHARED_VERTEX and HANGING the vertex, of OPPOSITE_SIDES one of
      * the two loops; otherwise FAIRMESH_NO_ELEMENT.
      */
     uint64_t reason_element;
     /**
-     * Of NON_MANIFOLD the other end, of OPPOSITE_SIDES the other loop; otherwise FAIRMESH_NO_ELEMENT.
+     * Of NON_MANIFOLD and INCONSISTENT the other end, of OPPOSITE_SIDES the other loop; otherwise FAIRMESH_NO_ELEMENT.
      */
     uint64_t reason_other;
     /**

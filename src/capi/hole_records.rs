@@ -19,7 +19,7 @@ pub struct fairmesh_loop {
     /// The mean angle, in degrees, by which a smooth surface over the loop has to turn back: 0 for a hole in a plane, 90 for
     /// the end of a tube, 180 for the outer boundary of a plane sheet.
     pub turn: f64,
-    /// The bad edge of a non-manifold loop, otherwise UINT32_MAX.
+    /// The bad edge of a non-manifold or inconsistent loop, otherwise UINT32_MAX.
     pub edge_a: u32,
     /// Its other end.
     pub edge_b: u32,
@@ -110,10 +110,10 @@ pub struct fairmesh_fill_report {
     pub intersection_count: u64,
     /// The loops that the patch is for: size of the list JOINED_LOOPS, 1 if the loop is not joined to others.
     pub joined_count: u64,
-    /// What the reason names: of NON_MANIFOLD one end of the edge, of NOT_FINITE and SHARED_VERTEX the vertex, of OPPOSITE_SIDES one of
+    /// What the reason names: of NON_MANIFOLD and INCONSISTENT one end of the edge, of NOT_FINITE, SHARED_VERTEX and HANGING the vertex, of OPPOSITE_SIDES one of
     /// the two loops; otherwise FAIRMESH_NO_ELEMENT.
     pub reason_element: u64,
-    /// Of NON_MANIFOLD the other end, of OPPOSITE_SIDES the other loop; otherwise FAIRMESH_NO_ELEMENT.
+    /// Of NON_MANIFOLD and INCONSISTENT the other end, of OPPOSITE_SIDES the other loop; otherwise FAIRMESH_NO_ELEMENT.
     pub reason_other: u64,
     /// Where loops were joined by `FAIRMESH_JOIN_KIND_AUTO`, the bend of the joint patch, as in `fairmesh_join_suggestion`; otherwise
     /// NaN, as the next three.
