@@ -50,8 +50,11 @@ install: all
 		> '$(DESTDIR)$(LIBDIR)/cmake/fairmesh/fairmesh-config.cmake'
 	$(FILL) packaging/fairmesh-config-version.cmake.in \
 		> '$(DESTDIR)$(LIBDIR)/cmake/fairmesh/fairmesh-config-version.cmake'
+	install -d '$(DESTDIR)$(PREFIX)/share/fairmesh/valgrind'
+	install -m 644 packaging/fairmesh.supp '$(DESTDIR)$(PREFIX)/share/fairmesh/valgrind'
 
 uninstall:
+	rm -rf '$(DESTDIR)$(PREFIX)/share/fairmesh'
 	rm -f '$(DESTDIR)$(INCLUDEDIR)'/fairmesh.h '$(DESTDIR)$(INCLUDEDIR)'/fairmesh.hpp '$(DESTDIR)$(INCLUDEDIR)'/fairmesh_openmesh.hpp \
 		'$(DESTDIR)$(INCLUDEDIR)'/fairmesh_openmesh_fill.hpp '$(DESTDIR)$(INCLUDEDIR)'/fairmesh_openmesh_bridge.hpp \
 		'$(DESTDIR)$(INCLUDEDIR)'/fairmesh_openmesh_rim.hpp

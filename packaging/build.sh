@@ -111,6 +111,7 @@ library() {
     cp include/*.h include/*.hpp "$tree/include"
     case $target in
     linux-*)
+        install -D -m 644 packaging/fairmesh.supp "$tree/share/fairmesh/valgrind/fairmesh.supp"
         cp "$built/libfairmesh.so" "$tree/lib/libfairmesh.so.$version"
         ln -s "libfairmesh.so.$version" "$tree/lib/libfairmesh.so.$interface"
         ln -s "libfairmesh.so.$interface" "$tree/lib/libfairmesh.so"

@@ -389,8 +389,13 @@ fn valgrind_has_nothing_to_say() {
                 "-q",
                 "--error-exitcode=9",
                 "--leak-check=full",
-                "--errors-for-leak-kinds=definite",
+                "--show-leak-kinds=all",
+                "--errors-for-leak-kinds=all",
             ])
+            .arg(format!(
+                "--suppressions={}",
+                prefix().join("share/fairmesh/valgrind/fairmesh.supp").display()
+            ))
             .arg(program));
     }
 }
