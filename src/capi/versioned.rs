@@ -26,7 +26,7 @@ versioned! {
     fairmesh_component 160,
     fairmesh_attempt 80,
     fairmesh_continuity 80,
-    fairmesh_fill_options 32 + 3 * WORD,
+    fairmesh_fill_options 64 + 9 * WORD,
     fairmesh_remesh_options 24,
     fairmesh_bridge_options 16,
     fairmesh_bridge_report 24,

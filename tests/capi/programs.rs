@@ -286,6 +286,14 @@ fn bad_inputs_are_told_exactly() {
     }
 }
 
+/// Their structs are shorter, and what lies behind them is theirs.
+#[test]
+fn programs_of_the_first_version_work() {
+    for linked in [Linked::Shared, Linked::Static] {
+        run(&mut Command::new(compile("cc", "c11", "tests/c/older.c", linked)));
+    }
+}
+
 #[test]
 fn threads_are_kept_apart() {
     run(&mut Command::new(compile(
