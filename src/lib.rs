@@ -39,17 +39,20 @@ pub use holes::{
     BoundaryLoop, BridgeOptions, Bridged, Carried, Erased, FillOptions, FillOutcome, Filled, FlatReason,
     GapKind, Join, JoinReason, JoinSuggestion, LoopFilter, LoopKind, LoopReport, Loops, OnFailure,
     OpenReason, Parents, Place, RemeshOptions, Remeshed, Rim, RimReport, Roughness, TrimLimits, Trimmed,
-    boundary_loops, boundary_loops_joined, bridge, bridge_with_progress, carry_over, erase, erase_and_clean,
-    fill_holes, fill_holes_with_progress, refill_region, refill_region_with_progress, remesh_region,
-    rim_roughness, suggest_joins, triangle_components, trim_boundary,
+    boundary_loops, boundary_loops_joined, bridge, bridge_with_progress, carry_over,
+    carry_over_with_progress, erase, erase_and_clean, fill_holes, fill_holes_with_progress, refill_region,
+    refill_region_with_progress, remesh_region, remesh_region_with_progress, rim_roughness, suggest_joins,
+    triangle_components, trim_boundary,
 };
 pub use measure::curvature::{mean_curvature, mean_curvature_joined};
 pub use measure::distance::{DistanceTo, SurfaceDistance};
 pub use measure::orientation::{InconsistentEdge, inconsistent_edges, triangles_to_turn};
-pub use measure::self_intersections::self_intersections;
+pub use measure::self_intersections::{self_intersections, self_intersections_with_progress};
 pub use paper::{Estimate, LevelReport, PaperOptions};
 pub use quality::Quality;
-pub use regions::{Bump, Combine, Region, RegionStep, Seed, SelectedRegion, select_region};
+pub use regions::{
+    Bump, Combine, Region, RegionStep, Seed, SelectedRegion, select_region, select_region_with_progress,
+};
 pub use support::error::Error;
 pub use support::options::{OptionDefault, OptionEntry, OptionKind};
 #[cfg(feature = "profile")]

@@ -1,5 +1,6 @@
 //! Mean curvature at every vertex of a mesh, without a region: to look at a surface, or to show it.
 
+use fairmesh_linear::interrupt::is_stopped;
 use fairmesh_linear::parallel;
 use nalgebra::Vector3;
 
@@ -23,8 +24,12 @@ pub(crate) fn mean_curvature(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> 
     let runs = parallel::runs(positions.len(), 256);
     Ok(parallel::map(runs, |_, run| {
         let mut work = RingWorkspace::default();
-        run.map(|v| fans.curvature(positions, v, &mut work))
-            .collect::<Vec<_>>()
+        let value = |v| match is_stopped() {
+            // Nobody looks at it any more.
+            true => f64::NAN,
+            false => fans.curvature(positions, v, &mut work),
+        };
+        run.map(value).collect::<Vec<_>>()
     })
     .concat())
 }

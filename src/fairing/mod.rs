@@ -20,6 +20,8 @@ mod workers;
 
 use std::ops::ControlFlow;
 
+use fairmesh_linear::interrupt::is_stopped;
+
 pub use crate::discrete::target::Target;
 use crate::mesh::Joined;
 pub use crate::mesh::coincident::Coincident;
@@ -164,6 +166,28 @@ pub(crate) fn on_workers<T: Send>(
             workers.install(|| work(&mut untold))
         }
     }
+}
+
+/// The same for work that tells fractions of itself, and has no result where it is stopped: none then.
+pub(crate) fn unless_stopped<T: Send>(
+    threads: usize,
+    progress: &mut ProgressCallback<'_>,
+    phase: &'static str,
+    work: impl FnOnce(&mut dyn FnMut(f64)) -> Result<T, Error> + Send,
+) -> Result<Option<T>, Error> {
+    on_workers(threads, Some(progress), |progress| {
+        let mut tell = |fraction: f64| {
+            // Whatever takes long looks by itself whether it is to stop.
+            let _ = progress(&Progress {
+                fraction,
+                iterations: 0,
+                step: f64::NAN,
+                phase,
+            });
+        };
+        let done = work(&mut tell);
+        if is_stopped() { Ok(None) } else { done.map(Some) }
+    })
 }
 
 /// The surface of the joined mesh, for all copies of its vertices.

@@ -1,12 +1,21 @@
 //! Where points lie on triangles of a mesh: so that what is new takes colours and the like from what was there.
 
+use fairmesh_linear::interrupt::is_stopped;
 use nalgebra::Vector3;
-use rstar::RTree;
 
 use super::parents::{Parents, nearest_on};
+use crate::fairing::{ProgressCallback, unless_stopped};
+use crate::holes::grove::Grove;
 use crate::holes::tree_triangle::Placed;
 use crate::mesh::input;
 use crate::support::error::Error;
+
+/// The fraction of the progress at which the triangles are in trees: its share of the time, measured for as many points as triangles.
+/// Half or double: only the progress changes.
+const GROWN: f64 = 0.4;
+/// After so many points it is told how far it is: a few milliseconds.
+/// Half or double: only the progress changes.
+const TELLING: usize = 2_000;
 
 /// The point of some triangles that is nearest to another point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,6 +49,33 @@ pub fn carry_over(
     among: &[u32],
     points: &[[f64; 3]],
 ) -> Result<Vec<Option<Carried>>, Error> {
+    carried(positions, triangles, among, points, &mut |_| ())
+}
+
+/// [`carry_over`], which calls `progress` on the calling thread, as [`fair_with_progress`](crate::fair_with_progress) does. `Break`
+/// stops the run: then there is no result.
+///
+/// # Errors
+/// Those of [`carry_over`].
+pub fn carry_over_with_progress(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    among: &[u32],
+    points: &[[f64; 3]],
+    progress: &mut ProgressCallback<'_>,
+) -> Result<Option<Vec<Option<Carried>>>, Error> {
+    unless_stopped(1, progress, "carrying over", |tell| {
+        carried(positions, triangles, among, points, tell)
+    })
+}
+
+fn carried(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    among: &[u32],
+    points: &[[f64; 3]],
+    tell: &mut dyn FnMut(f64),
+) -> Result<Vec<Option<Carried>>, Error> {
     input::check(positions.len(), triangles)?;
     let count = triangles.len();
     if let Some(&t) = among.iter().find(|&&t| t as usize >= count) {
@@ -50,9 +86,10 @@ pub fn carry_over(
     let mut among = among.to_vec();
     among.sort_unstable();
     among.dedup();
-    let tree = RTree::bulk_load(among.iter().filter_map(placed).collect());
+    let mut part = |fraction: f64| tell(GROWN * fraction);
+    let grove = Grove::new(among.iter().filter_map(placed).collect(), &mut part);
     let carried = |p: &[f64; 3]| {
-        let found = tree.nearest_neighbor(p)?;
+        let found = grove.nearest(p)?;
         let (_, weights) = nearest_on(&found.x, &Vector3::from(*p));
         Some(Carried {
             triangle: found.number,
@@ -63,8 +100,15 @@ pub fn carry_over(
         })
     };
     let is_finite = |p: &[f64; 3]| p.iter().all(|c| c.is_finite());
-    Ok(points
-        .iter()
-        .map(|p| if is_finite(p) { carried(p) } else { None })
-        .collect())
+    let mut found = Vec::with_capacity(points.len());
+    for (k, p) in points.iter().enumerate() {
+        if k.is_multiple_of(TELLING) {
+            tell(GROWN + (1.0 - GROWN) * k as f64 / points.len() as f64);
+        }
+        if is_stopped() {
+            break;
+        }
+        found.push(if is_finite(p) { carried(p) } else { None });
+    }
+    Ok(found)
 }

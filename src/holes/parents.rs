@@ -1,5 +1,6 @@
 //! Where a new vertex comes from, so that colours and the like can be interpolated.
 
+use fairmesh_linear::interrupt::is_stopped;
 use nalgebra::Vector3;
 
 use super::patch::Patch;
@@ -18,6 +19,8 @@ pub struct Parents {
 /// walks from its hint to the nearest triangle. `ids` turns its corners into the mesh's numbers.
 pub(super) fn parents(patch: &Patch, coarse: &Patch, ids: &[u32]) -> Vec<Parents> {
     (patch.fixed..patch.x.len())
+        // What is stopped drops them.
+        .take_while(|_| !is_stopped())
         .map(|v| {
             let (t, weights) = walk(coarse, patch.hint[v], &patch.source[v]);
             Parents {

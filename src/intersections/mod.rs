@@ -10,7 +10,7 @@ mod tree;
 mod triangles;
 
 pub(crate) use member::{Bounds, Member, bounds_of, member};
-pub(crate) use search::{members_near, of_all, of_some, pairs};
+pub(crate) use search::{members_near, of_all, of_some, pairs, told_of_some};
 pub(crate) use triangles::{facing, intersect};
 
 #[cfg(test)]

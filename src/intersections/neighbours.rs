@@ -1,5 +1,7 @@
 //! Which triangles lie across each other's edges, told by positions alone.
 
+use fairmesh_linear::interrupt::is_stopped;
+
 use super::triangles::Corners;
 
 /// Nothing is across.
@@ -11,7 +13,11 @@ const MOST: usize = 16;
 
 /// For the edges of each triangle, from its corner k to the next one, a triangle that has the same edge the other way round.
 /// Each edge is paired once: where more than two triangles meet in one, the others have none. Coordinates have no negative zeros.
-pub(super) fn neighbours<'t>(triangles: impl ExactSizeIterator<Item = &'t Corners> + Clone) -> Vec<[u32; 3]> {
+/// `breaks_off`: where the run is stopped some have none.
+pub(super) fn neighbours<'t>(
+    triangles: impl ExactSizeIterator<Item = &'t Corners> + Clone,
+    breaks_off: bool,
+) -> Vec<[u32; 3]> {
     let count = 3 * triangles.len();
     let edges: Vec<[&[f64; 3]; 2]> = triangles
         .clone()
@@ -23,6 +29,9 @@ pub(super) fn neighbours<'t>(triangles: impl ExactSizeIterator<Item = &'t Corner
     let mut before = vec![NONE; count];
     let mut across = vec![[NONE; 3]; triangles.len()];
     for (t, corners) in triangles.enumerate() {
+        if breaks_off && is_stopped() {
+            break;
+        }
         let hashes = corners.each_ref().map(hash);
         for k in 0..3 {
             let edge = 3 * t + k;

@@ -6,11 +6,22 @@ use super::neighbours::neighbours;
 use super::tree::{Content, Tree};
 use super::triangles::{PROJECTIONS, facing};
 use fairmesh_linear::dispatch::vectorized;
+use fairmesh_linear::interrupt::is_stopped;
 use fairmesh_linear::parallel;
 
 /// Pairs of nodes that a thread takes at once.
 /// Half or double, of 129 cases: none changes.
 const CHUNK: usize = 64;
+/// The search is done in so many parts, between which it can be stopped.
+/// Half or double: none changes.
+const PARTS: usize = 64;
+/// The fractions of the progress at which the triangles are gathered, the tree is made, neighbours are found, and the search begins: shares of the
+/// time, measured on a sheet of 980,000 triangles.
+/// Half or double: only the progress changes.
+const MEMBERS: f64 = 0.17;
+const TREE: f64 = 0.5;
+const NEIGHBOURS: f64 = 0.95;
+const SEARCHED: f64 = 0.96;
 
 /// The triangles of a mesh, none of them asked for, that `is_near` takes.
 pub(crate) fn members_near(
@@ -33,6 +44,17 @@ pub(crate) fn of_some(
     asked: &[u32],
     most: usize,
 ) -> Vec<[u32; 2]> {
+    told_of_some(positions, triangles, asked, most, None)
+}
+
+/// The same; see [`told_pairs`].
+pub(crate) fn told_of_some(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    asked: &[u32],
+    most: usize,
+    tell: Option<&mut dyn FnMut(f64)>,
+) -> Vec<[u32; 2]> {
     let mut is_asked = vec![false; triangles.len()];
     asked.iter().for_each(|&t| is_asked[t as usize] = true);
     let region: Vec<Member> = asked
@@ -51,7 +73,7 @@ pub(crate) fn of_some(
         let of = &triangles[t as usize];
         (!all_beside(of)).then(|| member(positions, triangles, t, is_asked[t as usize]))?
     };
-    pairs(members_of(triangles.len(), &near), most)
+    told_pairs(members_of(triangles.len(), &near), most, tell)
 }
 
 /// Those that there are, of so many triangles.
@@ -73,15 +95,35 @@ fn sides(p: &[f64; 3], bounds: &Bounds) -> u8 {
     })
 }
 
-/// The same of all triangles, and all pairs.
-pub(crate) fn of_all(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
+/// The same of all triangles, and all pairs; see [`told_pairs`].
+pub(crate) fn of_all(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    tell: Option<&mut dyn FnMut(f64)>,
+) -> Vec<[u32; 2]> {
     let mut members = members_near(positions, triangles, |_| true);
     members.iter_mut().for_each(|member| member.is_asked = true);
-    pairs(members, usize::MAX)
+    told_pairs(members, usize::MAX, tell)
 }
 
 /// The same of any triangles with different numbers.
-pub(crate) fn pairs(mut members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
+pub(crate) fn pairs(members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
+    told_pairs(members, most, None)
+}
+
+/// The same, which tells how far it is, from 0 to 1. One that tells has no result if the run is stopped.
+fn told_pairs(mut members: Vec<Member>, most: usize, mut tell: Option<&mut dyn FnMut(f64)>) -> Vec<[u32; 2]> {
+    let is_told = tell.is_some();
+    let mut goes_on = |fraction: f64| match &mut tell {
+        Some(tell) => {
+            tell(fraction);
+            !is_stopped()
+        }
+        None => true,
+    };
+    if !goes_on(MEMBERS) {
+        return Vec::new();
+    }
     let unit = unit(&members);
     parallel::for_each(members.chunks_mut(parallel::RUN), |_, run| {
         for member in run {
@@ -95,19 +137,34 @@ pub(crate) fn pairs(mut members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
         }
     });
     members.retain(|member| member.facing != 0);
-    let tree = Tree::new(&mut members);
+    let tree = Tree::new(&mut members, is_told);
+    if !goes_on(TREE) {
+        return Vec::new();
+    }
     let search = PairSearch {
-        across: neighbours(members.iter().map(|member| &member.corners)),
+        across: neighbours(members.iter().map(|member| &member.corners), is_told),
         members,
         tree,
     };
-    let found = parallel::map(search.tasks().chunks(CHUNK), |_, tasks| {
-        vectorized(
-            #[inline(always)]
-            || search.pairs_of(tasks, most),
-        )
-    });
-    let mut pairs = found.concat();
+    let tasks = if goes_on(NEIGHBOURS) {
+        search.tasks()
+    } else {
+        return Vec::new();
+    };
+    let mut pairs = Vec::new();
+    let parts = tasks.chunks(CHUNK * tasks.len().div_ceil(CHUNK * PARTS).max(1));
+    for (k, part) in parts.enumerate() {
+        let found = parallel::map(part.chunks(CHUNK), |_, tasks| {
+            vectorized(
+                #[inline(always)]
+                || search.pairs_of(tasks, most),
+            )
+        });
+        pairs.extend(found.concat());
+        if !goes_on(SEARCHED + (1.0 - SEARCHED) * (k + 1) as f64 / PARTS as f64) {
+            return Vec::new();
+        }
+    }
     pairs.sort_unstable();
     pairs.truncate(most);
     pairs

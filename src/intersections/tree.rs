@@ -3,6 +3,7 @@
 
 use std::ops::Range;
 
+use fairmesh_linear::interrupt::is_stopped;
 use fairmesh_linear::parallel;
 use rayon::prelude::*;
 use rstar::Envelope;
@@ -40,8 +41,8 @@ pub(super) struct Tree {
 }
 
 impl Tree {
-    /// Puts the members in order.
-    pub(super) fn new(members: &mut Vec<Member>) -> Self {
+    /// Puts the members in order. `breaks_off`: where the run is stopped the tree is not whole.
+    pub(super) fn new(members: &mut Vec<Member>, breaks_off: bool) -> Self {
         let mut places = places(members);
         places.par_sort_unstable();
         *members = places.iter().map(|&(_, m)| members[m as usize].clone()).collect();
@@ -49,16 +50,21 @@ impl Tree {
             nodes: Vec::with_capacity(members.len()),
             groups: Vec::with_capacity(members.len() / 2),
         };
-        tree.divide(members, &places);
-        tree.enclose();
+        let is_whole = tree.divide(members, &places, breaks_off);
+        if is_whole {
+            tree.enclose();
+        }
         tree
     }
 
-    /// Makes the nodes, each before what is in it.
-    fn divide(&mut self, members: &[Member], places: &[(u64, u32)]) {
+    /// Makes the nodes, each before what is in it. False if it was broken off.
+    fn divide(&mut self, members: &[Member], places: &[(u64, u32)], breaks_off: bool) -> bool {
         // Runs that are left, each with the node that it is the second half of.
         let mut left = vec![(0..members.len(), None)];
         while let Some((run, parent)) = left.pop() {
+            if breaks_off && is_stopped() {
+                return false;
+            }
             let own = self.nodes.len();
             if let Some(parent) = parent {
                 let parent: &mut Node = &mut self.nodes[parent];
@@ -87,6 +93,7 @@ impl Tree {
                 });
             }
         }
+        true
     }
 
     /// Gives each node what its halves have.

@@ -1,6 +1,6 @@
 //! Intersecting triangles of a mesh, as users call it.
 
-use crate::fairing::Workers;
+use crate::fairing::{ProgressCallback, Workers, unless_stopped};
 use crate::intersections;
 use crate::mesh::input;
 use crate::support::error::Error;
@@ -35,6 +35,32 @@ pub fn self_intersections(
     triangles: &[[u32; 3]],
     among: Option<&[u32]>,
 ) -> Result<Vec<[u32; 2]>, Error> {
+    // Not on the global pool, whose threads would outlive a library that is unloaded.
+    Workers::new(0)?.install(|| found(positions, triangles, among, None))
+}
+
+/// [`self_intersections`], which calls `progress` on the calling thread, as [`fair_with_progress`](crate::fair_with_progress) does.
+/// `Break` stops the run: then there is no result.
+///
+/// # Errors
+/// Those of [`self_intersections`].
+pub fn self_intersections_with_progress(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    among: Option<&[u32]>,
+    progress: &mut ProgressCallback<'_>,
+) -> Result<Option<Vec<[u32; 2]>>, Error> {
+    unless_stopped(0, progress, "intersections", |tell| {
+        found(positions, triangles, among, Some(tell))
+    })
+}
+
+fn found(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    among: Option<&[u32]>,
+    tell: Option<&mut dyn FnMut(f64)>,
+) -> Result<Vec<[u32; 2]>, Error> {
     input::check(positions.len(), triangles)?;
     input::check_finite(positions, triangles)?;
     let count = triangles.len();
@@ -42,9 +68,8 @@ pub fn self_intersections(
         let index = t as usize;
         return Err(Error::SelectionOutOfRange { index, count });
     }
-    // Not on the global pool, whose threads would outlive a library that is unloaded.
-    Ok(Workers::new(0)?.install(|| match among {
-        Some(asked) => intersections::of_some(positions, triangles, asked, usize::MAX),
-        None => intersections::of_all(positions, triangles),
-    }))
+    Ok(match among {
+        Some(asked) => intersections::told_of_some(positions, triangles, asked, usize::MAX, tell),
+        None => intersections::of_all(positions, triangles, tell),
+    })
 }

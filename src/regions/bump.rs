@@ -3,6 +3,7 @@
 //! Rings around the seed are looked at, ever larger ones, until the curvature in one is that of the next one: then it is that of the
 //! surroundings, as a linear function of the place. What departs from it and hangs together with the seed is the bump.
 
+use fairmesh_linear::interrupt::is_stopped;
 use nalgebra::Vector3;
 
 use super::geodesic;
@@ -60,6 +61,12 @@ const STRAGGLERS: f64 = 0.1;
 /// What departs by less than can be told apart from noise reaches so far outside, over the radius.
 /// Of 2 cases, half: 2 change by up to 1 edge; double: 2 change by up to 1 edge, +10 % iterations.
 const MARGIN: f64 = 0.2;
+/// The fractions of the progress at which distances and curvature are known, and all rings have been looked at: shares of the time, measured on
+/// a sheet of 80,000 triangles.
+/// Half or double, of 5 cases: only the progress changes.
+const DISTANCES: f64 = 0.01;
+const CURVATURE: f64 = 0.03;
+const RINGS: f64 = 0.95;
 
 /// What was taken for a bump.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,13 +87,19 @@ pub struct Bump {
 ///
 /// # Errors
 /// [`Error::NoBump`].
-pub(super) fn find(mesh: &Neighbours<'_>, foot: &Foot) -> Result<(Bump, Vec<bool>), Error> {
+pub(super) fn find(
+    mesh: &Neighbours<'_>,
+    foot: &Foot,
+    tell: &mut dyn FnMut(f64),
+) -> Result<(Bump, Vec<bool>), Error> {
     let distance = geodesic::distances(mesh, foot);
     let mut order: Vec<u32> = (0..distance.len() as u32)
         .filter(|&v| distance[v as usize].is_finite())
         .collect();
     order.sort_by(|&a, &b| distance[a as usize].total_cmp(&distance[b as usize]));
+    tell(DISTANCES);
     let curvature = mesh_curvature::mean_curvature(mesh.positions, mesh.triangles)?;
+    tell(CURVATURE);
     let around = Around {
         mesh,
         foot,
@@ -97,7 +110,10 @@ pub(super) fn find(mesh: &Neighbours<'_>, foot: &Foot) -> Result<(Bump, Vec<bool
     let edge = around.edge();
     let mut found: Vec<(Rings, Vec<Calm>)> = Vec::new();
     let mut radius = FIRST * edge;
-    while let Some(rings) = around.rings(radius) {
+    let all = around.order.len() as f64;
+    while let Some(rings) = around.rings(radius).filter(|_| !is_stopped()) {
+        // Time goes with the sum over all rings, a geometric series: with the last one.
+        tell(CURVATURE + (RINGS - CURVATURE) * (PART as f64 * rings.ends[0] as f64 / all).min(1.0));
         // Averaging reaches as far as the root of its passes.
         let most = (radius / (REACH * edge)).powi(2) as usize;
         let passes = PASSES.into_iter().filter(|&passes| passes <= most);
@@ -193,7 +209,7 @@ impl Around<'_> {
         }
         let mut at = vec![u32::MAX; self.distance.len()];
         (0..).zip(disk).for_each(|(i, &v)| at[v as usize] = i);
-        for _ in 0..passes {
+        for _ in (0..passes).take_while(|_| !is_stopped()) {
             let average = |(i, &v): (usize, &u32)| {
                 let near = self.mesh.around(v).map(|w| at[w as usize]);
                 let (mut sum, mut count) = (of[i], 1.0);

@@ -6,6 +6,8 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+use fairmesh_linear::interrupt::is_stopped;
+
 use super::neighbours::Neighbours;
 use super::seed::Foot;
 
@@ -28,6 +30,9 @@ pub(super) fn distances(mesh: &Neighbours<'_>, from: &Foot) -> Vec<f64> {
     while let Some(Reverse((_, v))) = front.pop() {
         if std::mem::replace(&mut is_final[v as usize], true) {
             continue;
+        }
+        if is_stopped() {
+            break;
         }
         for &t in mesh.at(v) {
             let [a, b, c] = mesh.triangles[t as usize];

@@ -10,4 +10,4 @@ mod steps;
 
 pub use bump::Bump;
 pub use seed::Seed;
-pub use steps::{Combine, Region, RegionStep, SelectedRegion, select_region};
+pub use steps::{Combine, Region, RegionStep, SelectedRegion, select_region, select_region_with_progress};

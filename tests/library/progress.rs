@@ -1,11 +1,15 @@
 //! Who watches a run: progress never falls, and ends at 1.
 
+use std::fmt::Debug;
 use std::ops::ControlFlow;
 
 use crate::fairing::{irregular, options};
 use fairmesh::{
-    BridgeOptions, FillOptions, Join, Loops, Options, Progress, ProgressCallback, Selection, Solver,
-    bridge_with_progress, fair_with_progress, fill_holes_with_progress,
+    BridgeOptions, Coincident, Combine, Error, FillOptions, Join, Loops, Options, Progress, ProgressCallback,
+    Region, RegionStep, RemeshOptions, Seed, Selection, Solver, bridge_with_progress, carry_over,
+    carry_over_with_progress, fair_with_progress, fill_holes_with_progress, remesh_region,
+    remesh_region_with_progress, select_region, select_region_with_progress, self_intersections,
+    self_intersections_with_progress,
 };
 use fairmesh_shapes::{cylinder_band, tubes};
 
@@ -110,4 +114,64 @@ fn fairing_ends_at_one() {
     ends_at_one("the range of the bulge", |p| {
         solver.bulge_range(Some(p)).unwrap();
     });
+}
+
+/// A run that tells its progress, and has no result where it is stopped.
+type Stoppable<'r, T> = &'r dyn Fn(&mut ProgressCallback<'_>) -> Result<Option<T>, Error>;
+
+/// Watched it ends at one with what it is unwatched; stopped it has no result.
+fn is_watched<T: Debug + PartialEq>(name: &str, unwatched: T, run: Stoppable<'_, T>) {
+    let mut watched = None;
+    ends_at_one(name, |p| watched = run(p).unwrap());
+    assert!(watched == Some(unwatched), "{name}");
+    assert_eq!(run(&mut |_| ControlFlow::Break(())), Ok(None), "{name}");
+}
+
+#[test]
+fn what_only_looks_at_a_mesh_ends_at_one_and_can_be_stopped() {
+    let (mut x, t) = sheet(150, |_, _| false);
+    for p in &mut x {
+        let [i, j, _] = p.map(|c| c - 75.0);
+        p[2] = 6.0 * (-(i * i + j * j) / 100.0).exp();
+    }
+    let all: Vec<u32> = (0..t.len() as u32).collect();
+    let carried = carry_over(&x, &t, &all, &x).unwrap();
+    is_watched("carrying over", carried, &|p| {
+        carry_over_with_progress(&x, &t, &all, &x, p)
+    });
+    let joined = Coincident::default();
+    let steps = [
+        RegionStep::With(Combine::Add, Region::Bump(Seed::Vertex(75 * 151 + 75))),
+        RegionStep::Grow(2),
+    ];
+    let selected = select_region(&x, &t, &steps, joined).unwrap();
+    is_watched("regions", selected, &|p| {
+        select_region_with_progress(&x, &t, &steps, joined, p)
+    });
+    // Folded over: it meets itself.
+    x.iter_mut()
+        .for_each(|p| p[0] = (p[0] - 75.0).abs() + 0.01 * p[0]);
+    for among in [None, Some(&all[..100])] {
+        let pairs = self_intersections(&x, &t, among).unwrap();
+        let run: Stoppable<'_, _> = &|p| self_intersections_with_progress(&x, &t, among, p);
+        is_watched("intersections", pairs, run);
+    }
+}
+
+#[test]
+fn remeshing_ends_at_one_and_can_be_stopped() {
+    let (x, t) = sheet(30, |_, _| false);
+    let free: Vec<u32> = (5..25).flat_map(|i| (5..25).map(move |j| 31 * i + j)).collect();
+    for density in [0.5, 3.0] {
+        let asked = RemeshOptions {
+            density,
+            ..RemeshOptions::default()
+        };
+        let free = Selection::Vertices(&free);
+        let new = remesh_region(&x, &t, free, &asked).unwrap();
+        is_watched("remeshing", (new.positions, new.triangles), &|p| {
+            let new = remesh_region_with_progress(&x, &t, free, &asked, p)?;
+            Ok(new.map(|new| (new.positions, new.triangles)))
+        });
+    }
 }
