@@ -1,6 +1,39 @@
 /* fairmesh - intrinsic fairing of triangle meshes: Delta_B H = 0 with G1 boundary conditions.
  * R. Schneider, L. Kobbelt, "Geometric fairing of irregular meshes for free-form surface design", CAGD 18, 2001.
  *
+ * What most programs need:
+ *
+ *     // A mesh: two arrays of yours, three coordinates for each vertex and three indices for each triangle.
+ *     fairmesh_mesh mesh = {.struct_size = sizeof mesh,
+ *                           .positions = {xyz, vertex_count, 0, FAIRMESH_SCALAR_FLOAT64, 0},
+ *                           .triangles = {corners, triangle_count, 0}};
+ *     fairmesh_error error;                                       // names the vertex, the triangle or the field
+ *
+ *     // Fair: vertices whose byte is not 0 move, here in place; all others stay, to the last bit.
+ *     fairmesh_selection selection = {sizeof selection, FAIRMESH_SELECTION_KIND_FREE_MASK, is_free, vertex_count, 0};
+ *     fairmesh_points_out out = {xyz, vertex_count, 0, FAIRMESH_SCALAR_FLOAT64, 0};
+ *     fairmesh_report report = {.struct_size = sizeof report};
+ *     if (fairmesh_fair(&mesh, &selection, NULL, &out, &report, NULL, &error) != FAIRMESH_STATUS_OK) puts(error.message);
+ *     puts(fairmesh_describe(FAIRMESH_ANSWER_OUTCOME, report.outcome, FAIRMESH_TEXT_MEANING));
+ *
+ *     // Fill all holes: what is made is kept in a result, to be asked for its sizes, read, and freed.
+ *     fairmesh_result *result = NULL;
+ *     fairmesh_info info = {.struct_size = sizeof info};
+ *     if (fairmesh_fill_holes(&mesh, NULL, NULL, &result, &error) != FAIRMESH_STATUS_OK) puts(error.message);
+ *     fairmesh_result_info(result, &info, &error);                // is_success, vertex_count, triangle_count
+ *     fairmesh_points_out points = {malloc(24 * info.vertex_count), info.vertex_count, 0, FAIRMESH_SCALAR_FLOAT64, 0};
+ *     fairmesh_indices_out triangles = {malloc(12 * info.triangle_count), info.triangle_count, 0};
+ *     fairmesh_result_positions(result, &points, &error);         // those given come first, with their numbers
+ *     fairmesh_result_triangles(result, &triangles, &error);
+ *     fairmesh_result_free(result);
+ *
+ * Options are filled in by fairmesh_options_init and fairmesh_fill_options_init; then change fields. The rest, by what it is for:
+ *   in steps, and live    fairmesh_solver_...
+ *   holes                 fairmesh_boundary_loops, _rim_roughness, _suggest_joins, _bridge
+ *   regions               fairmesh_select_region, _refill, _remesh, _erase, _trim_boundary, _components, _carry_over
+ *   measures              fairmesh_mean_curvature, _self_intersections, _memory_needed
+ *   what a result has     fairmesh_result_...
+ *
  * Arrays are the caller's: read or written during the call, never kept, never freed. Inputs are never written. Outputs
  * are written last, and only if the status is FAIRMESH_STATUS_OK; the fairmesh_error is written by every call.
  * A pointer is an error when NULL, unless its description says that it may be.

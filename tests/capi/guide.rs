@@ -85,6 +85,39 @@ fn pieces_of_the_guide_go_on_from_its_program() {
     assert!(said.contains("796 triangles and 1 loops are left"), "{said}");
 }
 
+/// The first page of the header is a program.
+#[test]
+fn the_first_page_of_the_header_compiles_and_runs() {
+    let header = fs::read_to_string(root().join("include/fairmesh.h")).unwrap();
+    let page = header.lines().take_while(|line| !line.starts_with("#ifndef"));
+    let program: Vec<&str> = page.filter_map(|line| line.strip_prefix(" *     ")).collect();
+    assert!(program.len() > 20, "{program:?}");
+    let text = format!(
+        "#include <fairmesh.h>\n#include <stdio.h>\n#include <stdlib.h>\n\
+         /* An octahedron without a face. */\n\
+         static double xyz[] = {{1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 1}};\n\
+         static const uint32_t corners[] = {{1, 0, 4, 2, 1, 4, 3, 2, 4, 0, 3, 4, 1, 2, 5, 2, 3, 5, 3, 0, 5}};\n\
+         static const unsigned char is_free[] = {{0, 0, 0, 0, 1, 0}};\n\
+         int main(void) {{\nsize_t vertex_count = 6, triangle_count = 7;\n{}\n\
+         printf(\"%u\\n\", (unsigned)info.triangle_count);\nfree(points.data);\nfree(triangles.data);\n\
+         return info.is_success ? 0 : 3;\n}}\n",
+        program.join("\n")
+    );
+    let (source, made) = (work().join("first_page.c"), work().join("first_page"));
+    fs::write(&source, text).unwrap();
+    run(Command::new("cc")
+        .arg("-std=c99")
+        .args(STRICT)
+        .args(pkg_config(&["--cflags"]))
+        .arg(&source)
+        .arg("-o")
+        .arg(&made)
+        .args(pkg_config(&["--libs"]))
+        .args(["-lm", &format!("-Wl,-rpath,{}", prefix().join("lib").display())]));
+    let said = run(&mut Command::new(made));
+    assert_eq!(said.lines().count(), 2, "{said}");
+}
+
 /// What programmers looked for in vain before: the pieces of code that have it are compiled and run above.
 #[test]
 fn the_guide_has_what_programs_need() {
