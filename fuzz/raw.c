@@ -42,7 +42,7 @@ static fairmesh_status holes(const uint8_t *head, const uint8_t *bytes, const fa
     case 4: return fairmesh_trim_boundary(mesh, head[31] & 32 ? NULL : &list, most, number, result, error);
     case 5: return fairmesh_bridge(mesh, &list, &list, &how, &fill, options, result, error);
     case 6: return fairmesh_refill(mesh, selection, &fill, options, result, error);
-    case 7: return fairmesh_carry_over(mesh, head[31] & 32 ? NULL : &list, &mesh->positions, result, error);
+    case 7: return fairmesh_carry_over(mesh, head[31] & 32 ? NULL : &list, &mesh->positions, NULL, NULL, result, error);
     case 8: return fairmesh_rim_roughness(mesh, result, error);
     default: return fairmesh_components(mesh, result, error);
     }

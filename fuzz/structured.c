@@ -98,7 +98,7 @@ static fairmesh_status choose(Bytes *bytes, const fairmesh_mesh *mesh, fairmesh_
         step->rings = flags % 16u == 8 ? UINT64_MAX : flags / 8u;
         step->list = list(bytes, &lists[k], elements, LISTED, 1);
     }
-    return fairmesh_select_region(mesh, steps, count, result, error);
+    return fairmesh_select_region(mesh, steps, count, NULL, NULL, result, error);
 }
 
 /* One edit of many kinds. */
@@ -174,7 +174,7 @@ static fairmesh_status other(Bytes *bytes, int task, const fairmesh_mesh *mesh, 
         to = list(bytes, &second, vertices, 6, 1);
         return fairmesh_bridge(mesh, &from, &to, &how, &asked.fill, options, result, error);
     case 5: return fairmesh_trim_boundary(mesh, flags & 1 ? NULL : &from, flags / 4u, flags & 2 ? unit(bytes) : 0.0, result, error);
-    case 6: return fairmesh_carry_over(mesh, flags & 1 ? NULL : &from, &mesh->positions, result, error);
+    case 6: return fairmesh_carry_over(mesh, flags & 1 ? NULL : &from, &mesh->positions, NULL, NULL, result, error);
     case 7: return fairmesh_refill(mesh, flags & 1 ? NULL : selection, &asked.fill, options, result, error);
     case 8: return fairmesh_rim_roughness(mesh, result, error);
     default: return fairmesh_components(mesh, result, error);

@@ -255,6 +255,10 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_NOT_ORIENTABLE = 41,
     /**
+     * The callback has stopped the call, which has no result then.
+     */
+    FAIRMESH_STATUS_CANCELLED = 42,
+    /**
      * A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
      */
     FAIRMESH_STATUS_INTERNAL = 99,
@@ -1971,6 +1975,14 @@ typedef struct fairmesh_remesh_options {
      * At most this many vertices inside the region. Default 200000.
      */
     uint64_t max_vertices;
+    /**
+     * Called with the progress; may be NULL, the default. Where it stops the call, the status is CANCELLED.
+     */
+    fairmesh_progress_fn progress;
+    /**
+     * Handed to `progress`.
+     */
+    void *user_data;
 } fairmesh_remesh_options;
 
 /**
@@ -3115,12 +3127,15 @@ fairmesh_status fairmesh_mean_curvature(const struct fairmesh_mesh *mesh,
  * vertices at the same position are one; also if they only touch. Exact for the positions given. Triangles without area take
  * no part. The mesh need not be a manifold.
  *
- * `among` may be NULL: all pairs. Otherwise triangles, and only pairs with at least one of them. `result` gets a handle, whose
- * list INTERSECTIONS has two entries for each pair, the smaller number first, ascending; free it.
+ * `among` may be NULL: all pairs. Otherwise triangles, and only pairs with at least one of them. `progress` may be NULL; it gets `user_data`,
+ * and where it stops the call the status is CANCELLED. `result` gets a handle, whose list INTERSECTIONS has two entries for each pair, the
+ * smaller number first, ascending; free it.
  */
 FAIRMESH_API
 fairmesh_status fairmesh_self_intersections(const struct fairmesh_mesh *mesh,
                                             const struct fairmesh_indices *among,
+                                            fairmesh_progress_fn progress,
+                                            void *user_data,
                                             struct fairmesh_result **result,
                                             struct fairmesh_error *error);
 
@@ -3354,13 +3369,16 @@ fairmesh_status fairmesh_components(const struct fairmesh_mesh *mesh,
  * vertices that took their place. The list CARRIED_TRIANGLES of the result has the triangles, the list PARENTS their corners, and the vectors
  * PARENT_WEIGHTS the weights of these; for a point that is not finite, and where no triangle is, UINT32_MAX, and weights of 0.
  *
- * `among` are the triangles, by their numbers; it may be NULL: all of them. `result` gets a handle, whose `new_vertex_count` is the number of points;
+ * `among` are the triangles, by their numbers; it may be NULL: all of them. `progress` may be NULL; it gets `user_data`, and where it stops the
+ * call the status is CANCELLED. `result` gets a handle, whose `new_vertex_count` is the number of points;
  * free it.
  */
 FAIRMESH_API
 fairmesh_status fairmesh_carry_over(const struct fairmesh_mesh *mesh,
                                     const struct fairmesh_indices *among,
                                     const struct fairmesh_points *points,
+                                    fairmesh_progress_fn progress,
+                                    void *user_data,
                                     struct fairmesh_result **result,
                                     struct fairmesh_error *error);
 
@@ -3368,12 +3386,15 @@ fairmesh_status fairmesh_carry_over(const struct fairmesh_mesh *mesh,
  * Chooses triangles of a mesh by place, distance and shape, step by step, beginning with none; the mesh need not be a manifold.
  * `steps` are `step_count` steps, one after the other in memory; NULL only if there are none. The list REGION_TRIANGLES of the result
  * has the triangles, REGION_COUNTS says per step how many it named by itself, or, of GROW, SHRINK and INVERT, how many there were after
- * it; `fairmesh_result_bump` tells what was taken for bumps. `result` gets a handle; free it.
+ * it; `fairmesh_result_bump` tells what was taken for bumps. `progress` may be NULL; it gets `user_data`, and where it stops the call the
+ * status is CANCELLED. `result` gets a handle; free it.
  */
 FAIRMESH_API
 fairmesh_status fairmesh_select_region(const struct fairmesh_mesh *mesh,
                                        const struct fairmesh_region_step *steps,
                                        size_t step_count,
+                                       fairmesh_progress_fn progress,
+                                       void *user_data,
                                        struct fairmesh_result **result,
                                        struct fairmesh_error *error);
 

@@ -199,6 +199,19 @@ struct relay {
     }
 };
 
+/** Runs a call that takes a callback and what it gets. What the callback has thrown comes before what the call says of being stopped. */
+template <class Call> auto watched(const fairmesh::progress &told, const Call &call) {
+    relay through{told, nullptr};
+    try {
+        auto made = call(told ? relay::tell : nullptr, static_cast<void *>(&through));
+        through.rethrow();
+        return made;
+    } catch (const fairmesh::error &) {
+        through.rethrow();
+        throw;
+    }
+}
+
 /** The options with the relay in the place of the callback, if there is one. */
 inline fairmesh_options with(const fairmesh::options &asked, relay &through) {
     fairmesh_options plain = asked;
@@ -348,8 +361,11 @@ inline result fair(const fairmesh_mesh &mesh, const fairmesh_selection &selectio
 
 namespace detail {
 
-inline std::vector<std::array<std::uint32_t, 2>> self_intersections(const fairmesh_mesh &mesh, const fairmesh_indices *among) {
-    const auto list = made(fairmesh_self_intersections, &mesh, among).list(FAIRMESH_LIST_INTERSECTIONS);
+inline std::vector<std::array<std::uint32_t, 2>> self_intersections(const fairmesh_mesh &mesh, const fairmesh_indices *among,
+                                                                    const fairmesh::progress &told) {
+    const auto list = watched(told, [&](fairmesh_progress_fn tell, void *self) {
+        return made(fairmesh_self_intersections, &mesh, among, tell, self).list(FAIRMESH_LIST_INTERSECTIONS);
+    });
     std::vector<std::array<std::uint32_t, 2>> pairs(list.size() / 2);
     for (std::size_t k = 0; k < pairs.size(); ++k) pairs[k] = {list[2 * k], list[2 * k + 1]};
     return pairs;
@@ -366,15 +382,16 @@ inline std::vector<double> mean_curvature(const fairmesh_mesh &mesh) {
 }
 
 /** Pairs of triangles that intersect, the smaller number first, ascending; see fairmesh_self_intersections. */
-inline std::vector<std::array<std::uint32_t, 2>> self_intersections(const fairmesh_mesh &mesh) {
-    return detail::self_intersections(mesh, nullptr);
+inline std::vector<std::array<std::uint32_t, 2>> self_intersections(const fairmesh_mesh &mesh, const progress &told = nullptr) {
+    return detail::self_intersections(mesh, nullptr, told);
 }
 
 /** Only pairs with at least one of these triangles. */
 inline std::vector<std::array<std::uint32_t, 2>> self_intersections(const fairmesh_mesh &mesh,
-                                                                    const std::vector<std::uint32_t> &among) {
+                                                                    const std::vector<std::uint32_t> &among,
+                                                                    const progress &told = nullptr) {
     const auto list = indices(among.data(), among.size());
-    return detail::self_intersections(mesh, &list);
+    return detail::self_intersections(mesh, &list, told);
 }
 
 /** Turns the boundary normals of a loop about the boundary; see fairmesh_edit_kind. In radians. */
@@ -738,8 +755,10 @@ struct selected_region {
 };
 
 /** Chooses triangles step by step; see fairmesh_select_region. A `fairmesh_region_step{}` is the whole mesh. */
-inline selected_region select_region(const fairmesh_mesh &mesh, const std::vector<fairmesh_region_step> &steps) {
-    const auto chosen = detail::made(fairmesh_select_region, &mesh, steps.data(), steps.size());
+inline selected_region select_region(const fairmesh_mesh &mesh, const std::vector<fairmesh_region_step> &steps, const progress &told = nullptr) {
+    const auto chosen = detail::watched(told, [&](fairmesh_progress_fn tell, void *self) {
+        return detail::made(fairmesh_select_region, &mesh, steps.data(), steps.size(), tell, self);
+    });
     selected_region made{chosen.list(FAIRMESH_LIST_REGION_TRIANGLES), chosen.list(FAIRMESH_LIST_REGION_COUNTS), {}};
     for (const auto &step : steps) {
         if (step.kind != FAIRMESH_REGION_KIND_BUMP) continue;
@@ -754,12 +773,19 @@ struct remesh_options : fairmesh_remesh_options {
     remesh_options() : fairmesh_remesh_options() {
         detail::init(fairmesh_remesh_options_init, this);
     }
+
+    /** In place of `progress` and `user_data` of the C struct. */
+    fairmesh::progress on_progress;
 };
 
 /** Triangulates a region anew; see fairmesh_remesh. */
 inline result remesh(const fairmesh_mesh &mesh, const fairmesh_selection &selection,
                      const remesh_options &asked = remesh_options()) {
-    return detail::made(fairmesh_remesh, &mesh, &selection, static_cast<const fairmesh_remesh_options *>(&asked));
+    return detail::watched(asked.on_progress, [&](fairmesh_progress_fn tell, void *self) {
+        fairmesh_remesh_options plain = asked;
+        if (tell) plain.progress = tell, plain.user_data = self;
+        return detail::made(fairmesh_remesh, &mesh, &selection, static_cast<const fairmesh_remesh_options *>(&plain));
+    });
 }
 
 /** Deletes a region and fills it; see fairmesh_refill. */
@@ -781,9 +807,12 @@ struct carried_points {
 };
 
 /** The places of the points on these triangles of a mesh; see fairmesh_carry_over. */
-inline carried_points carry_over(const fairmesh_mesh &mesh, const std::vector<std::uint32_t> &among, const fairmesh_points &points) {
+inline carried_points carry_over(const fairmesh_mesh &mesh, const std::vector<std::uint32_t> &among, const fairmesh_points &points,
+                                 const progress &told = nullptr) {
     const auto list = indices(among.data(), among.size());
-    const auto found = detail::made(fairmesh_carry_over, &mesh, &list, &points);
+    const auto found = detail::watched(told, [&](fairmesh_progress_fn tell, void *self) {
+        return detail::made(fairmesh_carry_over, &mesh, &list, &points, tell, self);
+    });
     return {found.list(FAIRMESH_LIST_CARRIED_TRIANGLES), found.list(FAIRMESH_LIST_PARENTS),
             found.vectors(FAIRMESH_VECTORS_PARENT_WEIGHTS)};
 }

@@ -4,7 +4,7 @@ use std::ffi::{c_char, c_void};
 use std::ops::ControlFlow;
 
 use super::memory;
-use super::status::{CallResult, Failure, Text};
+use super::status::{CallResult, Failure, Text, fairmesh_status as Status};
 use fairmesh::Progress;
 
 /// How far a run is.
@@ -42,6 +42,11 @@ pub(crate) struct HostCallback {
 unsafe impl Send for HostCallback {}
 // SAFETY: as above.
 unsafe impl Sync for HostCallback {}
+
+/// A call that its callback has stopped, and that has no result then.
+pub(crate) fn cancelled() -> Failure {
+    Failure::new(Status::Cancelled, format_args!("stopped by the callback"))
+}
 
 impl HostCallback {
     pub(crate) fn new(progress: fairmesh_progress_fn, user_data: *mut c_void) -> Self {

@@ -1,6 +1,8 @@
 //! Where points lie on triangles.
 
-use super::callback::HostCallback;
+use std::ffi::c_void;
+
+use super::callback::{HostCallback, cancelled, fairmesh_progress_fn};
 use super::erase::missing;
 use super::guard::guarded;
 use super::input::{MeshIn, optional_list_in};
@@ -10,19 +12,22 @@ use super::results::Content;
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use fairmesh::{Carried, Parents, carry_over};
+use fairmesh::{Carried, Parents, carry_over_with_progress};
 
 /// Finds per point the nearest one of some triangles of a mesh: to carry colours and the like over from triangles that were erased to the
 /// vertices that took their place. The list CARRIED_TRIANGLES of the result has the triangles, the list PARENTS their corners, and the vectors
 /// PARENT_WEIGHTS the weights of these; for a point that is not finite, and where no triangle is, UINT32_MAX, and weights of 0.
 ///
-/// `among` are the triangles, by their numbers; it may be NULL: all of them. `result` gets a handle, whose `new_vertex_count` is the number of points;
+/// `among` are the triangles, by their numbers; it may be NULL: all of them. `progress` may be NULL; it gets `user_data`, and where it stops the
+/// call the status is CANCELLED. `result` gets a handle, whose `new_vertex_count` is the number of points;
 /// free it.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_carry_over(
     mesh: *const fairmesh_mesh,
     among: *const fairmesh_indices,
     points: *const fairmesh_points,
+    progress: fairmesh_progress_fn,
+    user_data: *mut c_void,
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
@@ -31,19 +36,19 @@ pub extern "C" fn fairmesh_carry_over(
         let among = optional_list_in(among, Argument(2), call)?;
         let points = Points::points_in(&call.read(points, Argument(3))?, Argument(3).start())?;
         call.input(points.array.memory());
-        let result = ResultOut::last(result, Argument(4), call)?;
+        let result = ResultOut::last(result, Argument(6), call)?;
         let (positions, triangles) = mesh.read()?;
         let points = points.read()?;
         let listed = among.map_or(triangles.len(), |list| list.count);
         let bytes = memory_bounds::of_carrying(&mesh, listed, points.len());
-        result.put(bytes, &HostCallback::none(), |_| {
+        result.put(bytes, &HostCallback::new(progress, user_data), |tell| {
             let among = match among {
                 Some(list) => list.list()?.into_owned(),
                 None => (0..triangles.len() as u32).collect(),
             };
-            carry_over(&positions, &triangles, &among, &points)
-                .map(|carried| content(&carried))
-                .map_err(|error| missing(error, fairmesh_element::Triangle))
+            let carried = carry_over_with_progress(&positions, &triangles, &among, &points, tell)
+                .map_err(|error| missing(error, fairmesh_element::Triangle))?;
+            Ok(content(&carried.ok_or_else(cancelled)?))
         })
     })
 }

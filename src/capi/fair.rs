@@ -1,8 +1,9 @@
 //! One call: fairing, and the mean curvature and the self-intersections of a whole mesh.
 
+use std::ffi::c_void;
 use std::sync::Arc;
 
-use super::callback::HostCallback;
+use super::callback::{HostCallback, cancelled, fairmesh_progress_fn};
 use super::guard::guarded;
 use super::input::{MeshIn, SelectionIn, optional_list_in};
 use super::memory_bounds;
@@ -15,7 +16,7 @@ use super::status::*;
 use super::types::*;
 use super::views::*;
 use fairmesh::{OutputPrecision, Progress, fair_with_progress};
-use fairmesh::{mean_curvature_joined, self_intersections};
+use fairmesh::{mean_curvature_joined, self_intersections_with_progress};
 
 /// Moves the free vertices of a mesh until the surface solves Delta_B H = 0, or what the options' target asks, between the
 /// fixed vertices, with tangent continuity there.
@@ -144,24 +145,28 @@ pub extern "C" fn fairmesh_mean_curvature(
 /// vertices at the same position are one; also if they only touch. Exact for the positions given. Triangles without area take
 /// no part. The mesh need not be a manifold.
 ///
-/// `among` may be NULL: all pairs. Otherwise triangles, and only pairs with at least one of them. `result` gets a handle, whose
-/// list INTERSECTIONS has two entries for each pair, the smaller number first, ascending; free it.
+/// `among` may be NULL: all pairs. Otherwise triangles, and only pairs with at least one of them. `progress` may be NULL; it gets `user_data`,
+/// and where it stops the call the status is CANCELLED. `result` gets a handle, whose list INTERSECTIONS has two entries for each pair, the
+/// smaller number first, ascending; free it.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_self_intersections(
     mesh: *const fairmesh_mesh,
     among: *const fairmesh_indices,
+    progress: fairmesh_progress_fn,
+    user_data: *mut c_void,
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, |call| {
         let mesh = MeshIn::new(mesh, Argument(1), call)?;
         let among = optional_list_in(among, Argument(2), call)?;
-        let result = ResultOut::last(result, Argument(3), call)?;
+        let result = ResultOut::last(result, Argument(5), call)?;
         let (positions, triangles) = mesh.read()?;
         let among = among.map(|list| list.list()).transpose()?;
         let bytes = memory_bounds::of_whole_mesh(&mesh, 0);
-        result.put(bytes, &HostCallback::none(), |_| {
-            let pairs = self_intersections(&positions, &triangles, among.as_deref())?.into_flattened();
+        result.put(bytes, &HostCallback::new(progress, user_data), |tell| {
+            let pairs = self_intersections_with_progress(&positions, &triangles, among.as_deref(), tell)?;
+            let pairs = pairs.ok_or_else(cancelled)?.into_flattened();
             let content = Content::new(fairmesh_result_kind::Intersections, fairmesh_info::default());
             Ok(content.one(fairmesh_list::Intersections, pairs))
         })

@@ -1,6 +1,6 @@
 //! Boundary loops, hole filling, which loops to join, remeshing.
 
-use super::callback::HostCallback;
+use super::callback::{HostCallback, cancelled};
 use super::fill_options::{FillOptionsIn, read_remesh_options};
 use super::guard::guarded;
 use super::input::{MeshIn, SelectionIn};
@@ -16,7 +16,7 @@ use super::types::*;
 use super::views::*;
 use fairmesh::{
     BoundaryLoop, FillOptions, Join, Options, RemeshOptions, Roughness, boundary_loops_joined,
-    fill_holes_with_progress, remesh_region, rim_roughness, suggest_joins,
+    fill_holes_with_progress, remesh_region_with_progress, rim_roughness, suggest_joins,
 };
 
 /// Finds the boundary loops of a mesh: holes and outer boundaries. `result` gets a handle; free it.
@@ -172,16 +172,19 @@ pub extern "C" fn fairmesh_remesh(
     guarded(error, |call| {
         let mesh = MeshIn::new(mesh, Argument(1), call)?;
         let selection = SelectionIn::new(selection, Argument(2), &mesh, call)?;
+        let (asked, callback) = read_remesh_options(options, Argument(3), call)?;
         let asked = RemeshOptions {
             coincident: mesh.coincident,
-            ..read_remesh_options(options, Argument(3), call)?
+            ..asked
         };
         let result = ResultOut::last(result, Argument(4), call)?;
         let selected = selection.read(&mesh)?;
         let (positions, triangles) = mesh.read()?;
         let bytes = memory_bounds::of_remeshing(&mesh, &selected, asked.max_vertices)?;
-        result.put(bytes, &HostCallback::none(), |_| {
-            Ok(remesh_region(&positions, &triangles, selected.selection(), &asked)?.into())
+        result.put(bytes, &callback, |tell| {
+            let made =
+                remesh_region_with_progress(&positions, &triangles, selected.selection(), &asked, tell)?;
+            Ok(made.ok_or_else(cancelled)?.into())
         })
     })
 }

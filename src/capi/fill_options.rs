@@ -1,5 +1,6 @@
 //! Options of hole filling and remeshing: how they become the library's.
 
+use super::callback::HostCallback;
 use super::choices::count;
 use super::loop_choice::{FilterIn, JoinIn, fairmesh_join, fairmesh_loop_filter, numbers};
 use super::option_structs::{FillOptionsLists, fairmesh_fill_options, fairmesh_remesh_options};
@@ -97,12 +98,12 @@ pub(crate) fn read_remesh_options(
     options: *const fairmesh_remesh_options,
     argument: Argument,
     call: &mut Call,
-) -> CallResult<RemeshOptions> {
+) -> CallResult<(RemeshOptions, HostCallback)> {
     let view = call.read_options(options, argument, fairmesh_remesh_options::standard)?;
     check_reserved(view.reserved, field!(argument, fairmesh_remesh_options.reserved))?;
     let asked = view.read_remesh_options(argument)?;
     asked
         .validate()
         .map_err(|error| refused(error, argument, fairmesh_remesh_options::place))?;
-    Ok(asked)
+    Ok((asked, HostCallback::new(view.progress, view.user_data)))
 }

@@ -35,17 +35,18 @@ const PATTERN: u64 = 96;
 /// What is set aside at most. Only in WebAssembly is there a bound: its memory grows when a block is made, not when it is used, and a trap
 /// takes nothing along but the module, which the host has another one of. With this much, 4 GB are at least fifteen parts work; at half,
 /// a large call that runs out of memory is more often a trap; at double, of 1 GB a half is set aside.
-const MOST: u64 = if cfg!(target_family = "wasm") {
-    256 << 20
+const MOST: Option<u64> = if cfg!(target_family = "wasm") {
+    Some(256 << 20)
 } else {
-    u64::MAX
+    None
 };
 /// What a solver holds between its calls.
 pub(crate) const STANDING: u64 = 64 << 10;
 
 /// Sets the memory for a call aside.
 pub(crate) fn reserve(bytes: u64) -> CallResult<Reserve> {
-    let bytes = usize::try_from(bytes.min(MOST)).ok();
+    let bytes = MOST.map_or(bytes, |most| bytes.min(most));
+    let bytes = usize::try_from(bytes).ok();
     bytes.and_then(Reserve::new).ok_or_else(Failure::out_of_memory)
 }
 

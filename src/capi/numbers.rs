@@ -89,6 +89,8 @@ pub enum fairmesh_status {
     BadEdit = 40,
     /// A component has one side only, as a Moebius strip.
     NotOrientable = 41,
+    /// The callback has stopped the call, which has no result then.
+    Cancelled = 42,
     /// A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     Internal = 99,
 }
@@ -427,6 +429,7 @@ impl fairmesh_status {
             39 => Self::NoBump,
             40 => Self::BadEdit,
             41 => Self::NotOrientable,
+            42 => Self::Cancelled,
             99 => Self::Internal,
             _ => Self::Internal,
         }

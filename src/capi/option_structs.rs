@@ -242,6 +242,10 @@ pub struct fairmesh_remesh_options {
     pub density: f64,
     /// At most this many vertices inside the region. Default 200000.
     pub max_vertices: u64,
+    /// Called with the progress; may be NULL, the default. Where it stops the call, the status is CANCELLED.
+    pub progress: fairmesh_progress_fn,
+    /// Handed to `progress`.
+    pub user_data: *mut c_void,
 }
 
 impl fairmesh_remesh_options {
@@ -252,12 +256,14 @@ impl fairmesh_remesh_options {
             reserved: 0,
             density: 1.4142135623730951,
             max_vertices: 200000,
+            progress: None,
+            user_data: core::ptr::null_mut(),
         }
     }
 
     /// Where an option is in this argument.
     pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
-        field_named!(argument, option, Self: density max_vertices)
+        field_named!(argument, option, Self: density max_vertices progress user_data)
     }
 
     /// What needs no arrays and has no values of its own; all else as it is by default.

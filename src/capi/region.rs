@@ -1,6 +1,8 @@
 //! Regions of a mesh chosen by place, distance and shape, step by step.
 
-use super::callback::HostCallback;
+use std::ffi::c_void;
+
+use super::callback::{HostCallback, cancelled, fairmesh_progress_fn};
 use super::choices::{choice, choice_of, count};
 use super::guard::guarded;
 use super::input::MeshIn;
@@ -11,7 +13,7 @@ use super::results::{Content, as_list};
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use fairmesh::{Combine, Place, Region, RegionStep, Seed, select_region};
+use fairmesh::{Combine, Place, Region, RegionStep, Seed, select_region_with_progress};
 
 use fairmesh_status as Status;
 
@@ -105,19 +107,22 @@ pub struct fairmesh_region_step {
 /// Chooses triangles of a mesh by place, distance and shape, step by step, beginning with none; the mesh need not be a manifold.
 /// `steps` are `step_count` steps, one after the other in memory; NULL only if there are none. The list REGION_TRIANGLES of the result
 /// has the triangles, REGION_COUNTS says per step how many it named by itself, or, of GROW, SHRINK and INVERT, how many there were after
-/// it; `fairmesh_result_bump` tells what was taken for bumps. `result` gets a handle; free it.
+/// it; `fairmesh_result_bump` tells what was taken for bumps. `progress` may be NULL; it gets `user_data`, and where it stops the call the
+/// status is CANCELLED. `result` gets a handle; free it.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_select_region(
     mesh: *const fairmesh_mesh,
     steps: *const fairmesh_region_step,
     step_count: usize,
+    progress: fairmesh_progress_fn,
+    user_data: *mut c_void,
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, |call| {
         let mesh = MeshIn::new(mesh, Argument(1), call)?;
         check_structs(steps, step_count, Argument(2), call, "steps")?;
-        let result = ResultOut::last(result, Argument(4), call)?;
+        let result = ResultOut::last(result, Argument(6), call)?;
         let mut checked = try_with_capacity(step_count)?;
         for k in 0..step_count {
             let step = StepIn::new(read(steps.wrapping_add(k)), k)?;
@@ -132,8 +137,9 @@ pub extern "C" fn fairmesh_select_region(
         let lists = checked.iter().map(|step| step.list.count);
         let listed = lists.fold(0, usize::saturating_add);
         let bytes = memory_bounds::of_selecting(&mesh, step_count, listed);
-        result.put(bytes, &HostCallback::none(), |_| {
-            let region = select_region(&positions, &triangles, &asked, mesh.coincident)?;
+        result.put(bytes, &HostCallback::new(progress, user_data), |tell| {
+            let region = select_region_with_progress(&positions, &triangles, &asked, mesh.coincident, tell)?;
+            let region = region.ok_or_else(cancelled)?;
             let sizes = fairmesh_info {
                 vertex_count: positions.len() as u64,
                 triangle_count: region.triangles.len() as u64,

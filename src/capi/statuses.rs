@@ -31,6 +31,7 @@ pub(crate) const STATUSES: &[Entry] = entries! {
     31 "bad_reserved" => "a number is not what this version asks for: reserved fields have to be zero", "";
     38 "no_fair_patch" => "deleted and filled, a region gets no fair patch that intersects nothing, or it cannot be deleted, or the run was stopped",
         "remesh the region, or fair it as it is; or erase it, and fill the holes with what there is";
+    42 "cancelled" => "the callback has stopped the call, which has no result then", "";
     99 "internal" => "a bug of fairmesh, caught; the handle, if there was one, answers so from now on",
         "free the handle, and report the bug";
 };

@@ -77,7 +77,12 @@ pub fn all() -> [OptionStruct; 4] {
         /// What a bridge shall be. Fill it by `fairmesh_bridge_options_init`. How dense it is, and what becomes of one that is not fair, is in a `fairmesh_fill_options`.
         fairmesh_bridge_options: BridgeOptions = BridgeOptions::schema() => {}
         /// What remeshing does. Fill it by `fairmesh_remesh_options_init`.
-        fairmesh_remesh_options: RemeshOptions = RemeshOptions::schema() => {}
+        fairmesh_remesh_options: RemeshOptions = RemeshOptions::schema() => {
+            /// Called with the progress; may be NULL, the default. Where it stops the call, the status is CANCELLED.
+            progress: fairmesh_progress_fn = None;
+            /// Handed to `progress`.
+            user_data: *mut c_void = core::ptr::null_mut();
+        }
     }
 }
 

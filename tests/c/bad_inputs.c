@@ -123,8 +123,8 @@ static int32_t call_run(Call *c, int function, fairmesh_error *error) {
     case ROUGHNESS: return fairmesh_rim_roughness(c->p_mesh, c->p_result, error);
     case TRIM: return fairmesh_trim_boundary(c->p_mesh, &c->erased, 3, c->area, c->p_result, error);
     case REFILL: return fairmesh_refill(c->p_mesh, c->p_selection, c->p_fill, c->p_options, c->p_result, error);
-    case CARRY: return fairmesh_carry_over(c->p_mesh, &c->erased, c->p_points, c->p_result, error);
-    case SELECT: return fairmesh_select_region(c->p_mesh, c->p_steps, c->step_count, c->p_result, error);
+    case CARRY: return fairmesh_carry_over(c->p_mesh, &c->erased, c->p_points, NULL, NULL, c->p_result, error);
+    case SELECT: return fairmesh_select_region(c->p_mesh, c->p_steps, c->step_count, NULL, NULL, c->p_result, error);
     case COMPONENTS: return fairmesh_components(c->p_mesh, c->p_result, error);
     default: return fairmesh_mean_curvature(c->p_mesh, c->p_numbers, error);
     }
@@ -162,7 +162,7 @@ MUTATION(null_mesh) {
 MUTATION(null_result) {
     c->p_result = NULL;
     c->p_solver = NULL;
-    return argument(FAIRMESH_STATUS_NULL_POINTER, f == LOOPS || f == ROUGHNESS ? 2 : f == TRIM || f == REFILL ? 5 : 4, NONE);
+    return argument(FAIRMESH_STATUS_NULL_POINTER, f == LOOPS || f == ROUGHNESS ? 2 : f == TRIM || f == REFILL ? 5 : f == CARRY || f == SELECT ? 6 : 4, NONE);
 }
 MUTATION(null_selection_data) {
     c->selection.kind = (uint32_t)(k + 1);
@@ -481,12 +481,12 @@ MUTATION(region_steps) {
     case 2: c->step_count = SIZE_MAX / 2; return argument(FAIRMESH_STATUS_COUNT_OVERFLOW, 3, NONE);
     case 3:
         c->p_result = (fairmesh_result **)(void *)&step->point;
-        return argument(FAIRMESH_STATUS_ALIASING, 4, NONE);
+        return argument(FAIRMESH_STATUS_ALIASING, 6, NONE);
     default:
         step->kind = FAIRMESH_REGION_KIND_TRIANGLES;
         step->list.data = (const uint32_t *)(const void *)&c->result;
         step->list.count = 2;
-        return argument(FAIRMESH_STATUS_ALIASING, 4, NONE);
+        return argument(FAIRMESH_STATUS_ALIASING, 6, NONE);
     }
 }
 MUTATION(region_lists) {

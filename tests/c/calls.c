@@ -407,18 +407,18 @@ static void intersections(void) {
     const fairmesh_mesh mesh = mesh_of(x, 6, corners, 3);
     const fairmesh_indices among = indices_of(&first, 1);
     fairmesh_result *result = NULL;
-    OK(fairmesh_self_intersections(&mesh, NULL, &result, &error));
+    OK(fairmesh_self_intersections(&mesh, NULL, NULL, NULL, &result, &error));
     OK(fairmesh_result_list(result, FAIRMESH_LIST_INTERSECTIONS, 0, pairs, 4, &size, &error));
     CHECK(size == 4 && memcmp(pairs, expected, sizeof pairs) == 0);
     CHECK(info_of(result).kind == FAIRMESH_RESULT_KIND_INTERSECTIONS);
     OK(fairmesh_result_free(result));
-    OK(fairmesh_self_intersections(&mesh, &among, &result, &error));
+    OK(fairmesh_self_intersections(&mesh, &among, NULL, NULL, &result, &error));
     OK(fairmesh_result_list(result, FAIRMESH_LIST_INTERSECTIONS, 0, pairs, 4, &size, &error));
     CHECK(size == 2 && pairs[0] == 0 && pairs[1] == 1);
     OK(fairmesh_result_free(result));
     first = 3;
-    CHECK(fairmesh_self_intersections(&mesh, &among, &result, &error) == FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE);
-    CHECK(fairmesh_self_intersections(&mesh, NULL, NULL, &error) == FAIRMESH_STATUS_NULL_POINTER);
+    CHECK(fairmesh_self_intersections(&mesh, &among, NULL, NULL, &result, &error) == FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE);
+    CHECK(fairmesh_self_intersections(&mesh, NULL, NULL, NULL, NULL, &error) == FAIRMESH_STATUS_NULL_POINTER);
 }
 
 /* A solver for a cap, what it reported last, and where its positions go. */
@@ -1079,7 +1079,7 @@ static void carried_to(const Cap *cap, const double *positions, size_t count) {
     uint32_t *triangles, *corners;
     double *weights;
     size_t k, i;
-    OK(fairmesh_carry_over(&cap->mesh, NULL, &points, &carried, &error));
+    OK(fairmesh_carry_over(&cap->mesh, NULL, &points, NULL, NULL, &carried, &error));
     fairmesh_info info = info_of(carried);
     CHECK(info.kind == FAIRMESH_RESULT_KIND_CARRIED && info.new_vertex_count == count);
     triangles = list_of(carried, FAIRMESH_LIST_CARRIED_TRIANGLES, 0, &k);
@@ -1137,7 +1137,7 @@ static void refilling(void) {
 static size_t select_of(const fairmesh_mesh *mesh, const fairmesh_region_step *asked, size_t count, uint32_t *list, size_t room) {
     fairmesh_result *chosen = NULL;
     size_t size = 0;
-    OK(fairmesh_select_region(mesh, asked, count, &chosen, &error));
+    OK(fairmesh_select_region(mesh, asked, count, NULL, NULL, &chosen, &error));
     fairmesh_info info = info_of(chosen);
     CHECK(info.kind == FAIRMESH_RESULT_KIND_REGION && info.vertex_count == mesh->positions.count);
     OK(fairmesh_result_list(chosen, FAIRMESH_LIST_REGION_TRIANGLES, 0, list, room, &size, &error));
@@ -1180,7 +1180,7 @@ static void combined_regions(const Cap *cap, uint32_t *list) {
     asked[1].vector[0] = 1.0;
     asked[2].kind = FAIRMESH_REGION_KIND_TRIANGLES;
     asked[2].combine = FAIRMESH_COMBINE_REMOVE;
-    OK(fairmesh_select_region(&cap->mesh, asked, 2, &chosen, &error));
+    OK(fairmesh_select_region(&cap->mesh, asked, 2, NULL, NULL, &chosen, &error));
     OK(fairmesh_result_list(chosen, FAIRMESH_LIST_REGION_COUNTS, 0, counts, 4, &size, &error));
     CHECK(size == 2 && counts[0] == 32 && counts[1] == cap->triangles / 2);
     CHECK(fairmesh_result_list(chosen, FAIRMESH_LIST_KEPT_TRIANGLES, 0, NULL, 0, &size, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
@@ -1203,7 +1203,7 @@ static void bump_from_its_top(const Cap *cap, uint32_t *list) {
     asked.kind = FAIRMESH_REGION_KIND_BUMP;
     asked.seed_kind = FAIRMESH_SEED_KIND_VERTEX;
     asked.seed_vertex = WIDE * (WIDE / 2) + WIDE / 2;
-    OK(fairmesh_select_region(&cap->mesh, &asked, 1, &chosen, &error));
+    OK(fairmesh_select_region(&cap->mesh, &asked, 1, NULL, NULL, &chosen, &error));
     OK(fairmesh_result_bump(chosen, 0, &bump, &error));
     OK(fairmesh_result_list(chosen, FAIRMESH_LIST_REGION_TRIANGLES, 0, list, cap->triangles, &size, &error));
     CHECK(bump.triangle_count == size && bump.radius > 6.0 && bump.radius < 16.0 && fabs(bump.surroundings) < 1e-3);
@@ -1234,7 +1234,7 @@ static void no_bump_far_away(const Cap *cap) {
     asked.kind = FAIRMESH_REGION_KIND_BUMP;
     asked.seed_kind = FAIRMESH_SEED_KIND_VERTEX;
     asked.seed_vertex = 12 * WIDE + 12;
-    CHECK(fairmesh_select_region(&cap->mesh, &asked, 1, &chosen, &error) == FAIRMESH_STATUS_NO_BUMP);
+    CHECK(fairmesh_select_region(&cap->mesh, &asked, 1, NULL, NULL, &chosen, &error) == FAIRMESH_STATUS_NO_BUMP);
 }
 
 static void regions(void) {
@@ -1580,6 +1580,61 @@ static void count_lines(const char *message, void *lines) {
     ++*(int *)lines;
 }
 
+/* Stops at the third call. */
+typedef struct {
+    int calls;
+    double last;
+} Few;
+
+static int32_t few(const fairmesh_progress *progress, void *few_) {
+    Few *so_far = (Few *)few_;
+    CHECK(progress->fraction >= so_far->last && progress->fraction <= 1);
+    so_far->last = progress->fraction;
+    return ++so_far->calls >= 3;
+}
+
+static int32_t to_the_end(const fairmesh_progress *progress, void *last) {
+    *(double *)last = progress->fraction;
+    return 0;
+}
+
+/* What is neither faired nor filled can be stopped, too, and has no result then. */
+static void stopped(void) {
+    Cap cap = cap_new(151);
+    fairmesh_points points = points_of(cap.positions, cap.vertices);
+    ZERO(fairmesh_region_step, step);
+    fairmesh_remesh_options remesh;
+    int which, ends;
+    OK(fairmesh_remesh_options_init(&remesh, sizeof remesh));
+    step.kind = FAIRMESH_REGION_KIND_BUMP;
+    step.point[2] = 1.0;
+    for (which = 0; which < 4; which++) {
+        for (ends = 0; ends < 2; ends++) {
+            Few so_far = {0, 0};
+            double last = 0;
+            fairmesh_progress_fn tell = ends ? to_the_end : few;
+            void *with = ends ? (void *)&last : (void *)&so_far;
+            fairmesh_result *result = NULL;
+            int32_t status;
+            remesh.progress = tell;
+            remesh.user_data = with;
+            switch (which) {
+            case 0: status = fairmesh_remesh(&cap.mesh, &cap.selection, &remesh, &result, &error); break;
+            case 1: status = fairmesh_carry_over(&cap.mesh, NULL, &points, tell, with, &result, &error); break;
+            case 2: status = fairmesh_self_intersections(&cap.mesh, NULL, tell, with, &result, &error); break;
+            default: status = fairmesh_select_region(&cap.mesh, &step, 1, tell, with, &result, &error);
+            }
+            if (ends) {
+                CHECK(status == FAIRMESH_STATUS_OK ? last == 1 : status == FAIRMESH_STATUS_NO_BUMP);
+            } else {
+                CHECK(status == FAIRMESH_STATUS_CANCELLED && result == NULL && so_far.calls == 3);
+            }
+            OK(fairmesh_result_free(result));
+        }
+    }
+    cap_free(&cap);
+}
+
 /* What is set aside grows with the region and with the holes; a log that nothing is written to. */
 static void hosts(void) {
     Cap cap = cap_new(31);
@@ -1658,6 +1713,7 @@ int main(void) {
     versions();
     one_shot();
     hosts();
+    stopped();
     fields_of_a_host();
     intersections();
     in_steps();

@@ -190,11 +190,11 @@ static void region(Scene *s) {
     asked[4].kind = FAIRMESH_REGION_KIND_PATCH;
     asked[4].combine = FAIRMESH_COMBINE_INTERSECT;
     asked[4].value = 180.0;
-    made(s, fairmesh_select_region(&s->cap.mesh, asked, 5, &result, &error));
+    made(s, fairmesh_select_region(&s->cap.mesh, asked, 5, NULL, NULL, &result, &error));
     /* Curvature is looked at, whether or not there is a bump. */
     asked[5].kind = FAIRMESH_REGION_KIND_BUMP;
     asked[5].point[2] = 1.0;
-    status = fairmesh_select_region(&s->cap.mesh, asked, 6, &result, &error);
+    status = fairmesh_select_region(&s->cap.mesh, asked, 6, NULL, NULL, &result, &error);
     if (status == FAIRMESH_STATUS_NO_BUMP) return;
     made(s, status);
 }
@@ -205,7 +205,7 @@ static void refill(Scene *s) {
 
 static void carry(Scene *s) {
     fairmesh_points points = points_of(s->kept, s->cap.vertices);
-    made(s, fairmesh_carry_over(&s->cap.mesh, NULL, &points, &result, &error));
+    made(s, fairmesh_carry_over(&s->cap.mesh, NULL, &points, NULL, NULL, &result, &error));
 }
 
 static void curvature(Scene *s) {
@@ -214,7 +214,7 @@ static void curvature(Scene *s) {
 }
 
 static void intersections(Scene *s) {
-    made(s, fairmesh_self_intersections(&s->cap.mesh, NULL, &result, &error));
+    made(s, fairmesh_self_intersections(&s->cap.mesh, NULL, NULL, NULL, &result, &error));
 }
 
 static double seconds(void) {
@@ -285,7 +285,7 @@ static void panics(Scene *s) {
     CHECK(strstr(error.message, "free it") != NULL);
     OK(fairmesh_solver_free(solver));
     fairmesh_test_panic(0);
-    CHECK(fairmesh_select_region(&s->cap.mesh, &all, 1, &result, &error) == FAIRMESH_STATUS_INTERNAL && result == NULL);
+    CHECK(fairmesh_select_region(&s->cap.mesh, &all, 1, NULL, NULL, &result, &error) == FAIRMESH_STATUS_INTERNAL && result == NULL);
     OK(fairmesh_boundary_loops(&s->cap.mesh, &result, &error));
     fairmesh_test_panic(0);
     CHECK(fairmesh_result_info(result, &info, &error) == FAIRMESH_STATUS_INTERNAL);

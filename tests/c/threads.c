@@ -138,7 +138,7 @@ static void none_is_left(int before) {
     fairmesh_scalars_out h = scalars_out_of(numbers, cap.vertices);
     fairmesh_result *result = NULL;
     OK(fairmesh_mean_curvature(&cap.mesh, &h, NULL));
-    OK(fairmesh_self_intersections(&cap.mesh, NULL, &result, NULL));
+    OK(fairmesh_self_intersections(&cap.mesh, NULL, NULL, NULL, &result, NULL));
     OK(fairmesh_result_free(result));
     OK(fairmesh_fill_holes(&cap.mesh, NULL, NULL, &result, NULL));
     OK(fairmesh_result_free(result));

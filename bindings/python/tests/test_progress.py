@@ -40,6 +40,32 @@ def test_what_a_callback_is_told(call):
     assert after and all(told.step_norm > 0 for told in after)
 
 
+WITHOUT_RESULT = {
+    "remesh": lambda **how: fairmesh.remesh(VERTICES, FACES, FREE, **how),
+    "self_intersections": lambda **how: fairmesh.self_intersections(VERTICES, FACES, **how),
+    "carry_over": lambda **how: fairmesh.carry_over(VERTICES, FACES, VERTICES, **how),
+}
+
+
+@pytest.mark.parametrize("call", WITHOUT_RESULT.values(), ids=WITHOUT_RESULT)
+def test_what_is_stopped_has_no_result(call):
+    seen = []
+    call(progress=lambda told: seen.append(told.fraction))
+    assert seen == sorted(seen)
+    assert seen[-1] == 1
+    stop = threading.Event()
+    stop.set()
+    with pytest.raises(fairmesh.FairmeshError) as why:
+        call(cancel=stop)
+    assert why.value.status is fairmesh.Status.CANCELLED
+
+    def enough(_):
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        call(progress=enough)
+
+
 def test_callbacks_come_on_the_calling_thread():
     threads = set()
     CALLS["fair"](progress=lambda _: threads.add(threading.get_ident()))

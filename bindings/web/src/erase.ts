@@ -110,7 +110,7 @@ export function carryOver(host: Host, given: Mesh, to: Points, among?: Selection
         resultOf(
             host.library,
             "fairmesh_carry_over",
-            [address, listIn(scope, listed), scope.struct("points", numbersIn(scope, asked, 3))],
+            [address, listIn(scope, listed), scope.struct("points", numbersIn(scope, asked, 3)), 0, 0],
             (result) => ({
                 // UINT32_MAX, which says that there is none, becomes -1.
                 triangles: Int32Array.from(result.list("carried_triangles")),
@@ -133,7 +133,7 @@ export function selfIntersections(host: Host, given: Mesh, among?: Selection): U
     const mesh = new MeshIn(given);
     const listed = among === undefined ? null : chosenTriangles(mesh, among, "among");
     return withMesh(host, mesh, (address, scope) =>
-        resultOf(host.library, "fairmesh_self_intersections", [address, listIn(scope, listed)], (result) => result.list("intersections")),
+        resultOf(host.library, "fairmesh_self_intersections", [address, listIn(scope, listed), 0, 0], (result) => result.list("intersections")),
     );
 }
 

@@ -67,7 +67,7 @@ export function selectRegion(host: Host, given: Mesh, steps: readonly RegionStep
     return withMesh(host, mesh, (address, scope) => {
         const values = steps.map((step) => stepIn(scope, step));
         const at = values.length === 0 ? 0 : scope.structs("regionStep", values);
-        return resultOf(host.library, "fairmesh_select_region", [address, at, values.length], (result) => {
+        return resultOf(host.library, "fairmesh_select_region", [address, at, values.length, 0, 0], (result) => {
             const triangles = result.list("region_triangles");
             const mask = new Uint8Array(mesh.triangleCount);
             for (const triangle of triangles) mask[triangle] = 1;

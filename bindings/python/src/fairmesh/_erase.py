@@ -14,8 +14,9 @@ from ._calls import of_mesh
 from ._carry import Change, blended
 from ._handles import result_of
 from ._hosts import Arrays, M, MeshLike
-from ._keywords import MeshKeywords, TrimKeywords
+from ._keywords import MeshKeywords, TrimKeywords, WatchKeywords
 from ._options import real, whole
+from ._runs import watched
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -172,11 +173,21 @@ def trim_boundary(mesh: _arrays.Mesh, most: int, **keywords: Unpack[TrimKeywords
 
 
 @overload
-def carry_over(mesh: MeshLike, /, points: ArrayLike, among: ArrayLike | str | None = None) -> Carried: ...
+def carry_over(
+    mesh: MeshLike, /, points: ArrayLike, among: ArrayLike | str | None = None, **keywords: Unpack[WatchKeywords]
+) -> Carried: ...
 @overload
-def carry_over(vertices: ArrayLike, faces: ArrayLike, points: ArrayLike, among: ArrayLike | None = None) -> Carried: ...
-@of_mesh(None)
-def carry_over(mesh: _arrays.Mesh, points: ArrayLike, among: ArrayLike | str | None = None) -> Carried:
+def carry_over(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    points: ArrayLike,
+    among: ArrayLike | None = None,
+    **keywords: Unpack[WatchKeywords],
+) -> Carried: ...
+@of_mesh(WatchKeywords)
+def carry_over(
+    mesh: _arrays.Mesh, points: ArrayLike, among: ArrayLike | str | None = None, **keywords: Unpack[WatchKeywords]
+) -> Carried:
     """Finds the nearest face of a mesh for each point: colours of what was erased go to what took its place.
 
     ``carry_over(mesh, filled.vertices[filled.new_vertices], erased).of_vertices(colours)``.
@@ -185,12 +196,13 @@ def carry_over(mesh: _arrays.Mesh, points: ArrayLike, among: ArrayLike | str | N
         mesh: As in `fair`.
         points: (k, 3).
         among: Indices of faces, a mask, or the name of one that the mesh has: only these. Default: all.
+        progress, cancel: As in `fair`.
 
     """
     listed = None if among is None else _arrays.chosen_faces(mesh, among, "among")
     asked = _arrays.points(points, "points")
     views = (_arrays.list_view(listed), _arrays.points_view(asked))
-    handle = result_of("fairmesh_carry_over", mesh.struct, *views)
+    handle = watched(keywords, "fairmesh_carry_over", mesh.struct, *views)
     none = 2**32 - 1
     on = handle.list(_lists.CARRIED_TRIANGLES)
     corners = handle.list(_lists.PARENTS).reshape(-1, 3)

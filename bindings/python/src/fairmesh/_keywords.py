@@ -85,9 +85,15 @@ class TrimKeywords(MeshKeywords, total=False):
     max_area: float | None
 
 
-class _Run(MeshKeywords, total=False):
+class WatchKeywords(TypedDict, total=False):
+    """Those of functions that may take long: as in `fair`. Where they are stopped, the error's status is CANCELLED."""
+
     progress: ProgressCallback | None
     cancel: Event | None
+
+
+class _Run(MeshKeywords, WatchKeywords, total=False):
+    pass
 
 
 class FairKeywords(_Region, _Run, FairingOptions, total=False):
@@ -106,7 +112,7 @@ class BridgeKeywords(_Run, BridgeOptions, total=False):
     """Those of `bridge`."""
 
 
-class RemeshKeywords(_Region, MeshKeywords, RemeshOptions, total=False):
+class RemeshKeywords(_Region, _Run, RemeshOptions, total=False):
     """Those of `remesh`."""
 
 

@@ -91,6 +91,10 @@ class Monitor:
         return self._cancelled
 
 
+def _is_stopped(why: BaseException) -> bool:
+    return isinstance(why, FairmeshError) and why.status is Status.CANCELLED
+
+
 ProgressCallback = Callable[[Progress], Union[bool, None]]
 
 
@@ -115,7 +119,12 @@ class Relay:
         self._user_data = next(_numbers)
         _relays[self._user_data] = self
 
-    def install(self, options: _abi.fairmesh_options) -> None:
+    def call(self, function: Callable[..., Any], *arguments: Any) -> Any:
+        """Calls what takes the callback, and what it gets, as its last arguments."""
+        with self:
+            return function(*arguments, _tell, self._user_data)
+
+    def install(self, options: _abi.fairmesh_options | _abi.fairmesh_remesh_options) -> None:
         """Puts the callback into the options."""
         options.progress = _tell
         options.user_data = self._user_data
@@ -133,8 +142,9 @@ class Relay:
         self._running.release()
         try:
             self._interrupts.__exit__()
-            if thrown is not None and why is None:
-                raise thrown
+            # That the call was stopped is no news to who threw.
+            if thrown is not None and (why is None or _is_stopped(why)):
+                raise thrown from None
         finally:
             # No cycle of the exception and this frame.
             del thrown, why, trace

@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
 from ._calls import of_mesh
-from ._handles import result_of
 from ._hosts import MeshLike
 from ._options import real, whole
+from ._runs import watched
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -228,7 +228,7 @@ def _spread(mesh: _arrays.Mesh, region: Any, step: _abi.fairmesh_region_step) ->
 def _chosen(mesh: _arrays.Mesh, *steps: _abi.fairmesh_region_step) -> Mask:
     """What the steps choose, as a mask."""
     asked = (_abi.fairmesh_region_step * len(steps))(*steps)
-    handle = result_of("fairmesh_select_region", mesh.struct, asked, len(steps))
+    handle = watched({}, "fairmesh_select_region", mesh.struct, asked, len(steps))
     made = np.zeros(len(mesh.faces), np.bool_)
     made[handle.list(_abi.fairmesh_list.REGION_TRIANGLES)] = True
     return made

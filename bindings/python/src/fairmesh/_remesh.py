@@ -15,6 +15,7 @@ from ._holes import NewMesh
 from ._hosts import Arrays, M
 from ._keywords import RefillKeywords, RemeshKeywords
 from ._options import options_of
+from ._progress import Relay
 from ._runs import Run, region_of
 from ._seams import seams_told
 
@@ -62,7 +63,7 @@ def remesh(mesh: _arrays.Mesh, free: _arrays.Selection = None, **keywords: Unpac
     To fair the new mesh: ``fair(new.mesh, new.free_vertices)``.
 
     Args:
-        mesh, free, fixed, free_faces, coincident: As in `fair`.
+        mesh, free, fixed, free_faces, coincident, progress, cancel: As in `fair`.
         **options: Density and number of the vertices: `RemeshOptions`.
 
     Returns:
@@ -74,7 +75,9 @@ def remesh(mesh: _arrays.Mesh, free: _arrays.Selection = None, **keywords: Unpac
     """
     region = region_of(mesh, free, keywords)
     options = options_of(_abi.fairmesh_remesh_options, keywords)
-    with seams_told(mesh):
+    relay = Relay(keywords.get("progress"), keywords.get("cancel"))
+    relay.install(options)
+    with seams_told(mesh), relay:
         return Remeshed(result_of("fairmesh_remesh", mesh.struct, region.struct, options), mesh)
 
 

@@ -19,6 +19,13 @@ def region_of(mesh: Mesh, free: Selection, keywords: Mapping[str, Any]) -> Regio
     return Region(mesh, free, keywords.get("fixed"), keywords.get("free_faces"))
 
 
+def watched(keywords: Mapping[str, Any], function: str, *arguments: Any) -> ResultHandle:
+    """Calls a function of the library that takes a callback before its result."""
+    relay = Relay(keywords.get("progress"), keywords.get("cancel"))
+    made: ResultHandle = relay.call(result_of, function, *arguments)
+    return made
+
+
 class Run:
     """A run on a mesh: its options with the callback in them, as the library reads them."""
 
