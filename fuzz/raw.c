@@ -1,137 +1,132 @@
-/* libFuzzer: the bytes are the arrays and the numbers in the structs. Only what the contract asks for is kept: arrays lie
- * within their memory. */
-#include <fairmesh.h>
-#include <stdlib.h>
-#include <string.h>
+/* libFuzzer: a call that is right, of whose arguments the bytes change any byte: of the structs, lists and arrays. Only what the contract asks
+ * for is kept: arrays lie within their memory. The bytes are the task, then patches: where (two bytes), how many, what. */
+#include "tasks.h"
 
-/* What concerns holes, with lists that are the bytes of the head and of the mask. */
-static fairmesh_status holes(const uint8_t *head, const uint8_t *bytes, const fairmesh_mesh *mesh, const fairmesh_selection *selection,
-                             const fairmesh_options *options, fairmesh_result **result, fairmesh_error *error) {
-    fairmesh_fill_options fill;
-    fairmesh_bridge_options how;
-    fairmesh_indices list;
-    double number;
-    uint64_t most;
-    memcpy(&number, head + 48, 8);
-    memcpy(&most, head + 56, 8);
-    list.data = (const uint32_t *)(const void *)(bytes + (head[25] & 1 ? head[26] % 8 : 0));
-    list.stride = head[27] % 16;
-    list.count = head[28] % 40;
-    fairmesh_fill_options_init(&fill, sizeof fill);
-    fill.max_new_vertices = 100;
-    fill.fair = head[29] & 1;
-    fill.on_failure = head[29] / 2u % 4u;
-    if (head[30] & 1) fill.loops = list;
-    if (head[30] & 2) fill.join.loops = list;
-    if (head[30] & 4) fill.join.starts = list;
-    if (head[30] & 8) fill.guides = list, fill.guides.count = list.count / 2;
-    if (head[30] & 16) fill.filter.components = list;
-    if (head[30] & 32) fill.relax_rim = most, fill.relax_within = number;
-    if (head[30] & 64) fill.density = number;
-    if (head[30] & 128) fill.max_edges = most, fill.filter.max_length = fill.filter.max_area = fill.filter.within.radius = number;
-    fill.join.kind = head[31] % 4u;
-    fill.filter.within.kind = head[31] / 4u % 4u;
-    fairmesh_bridge_options_init(&how, sizeof how);
-    how.width = head[31] & 128 ? number : 0.0;
-    how.fill = head[31] & 64;
-    switch (head[24] % 10u) {
-    case 0: return fairmesh_fill_holes(mesh, &fill, options, result, error);
-    case 1: return fairmesh_suggest_joins(mesh, &fill, result, error);
-    case 2: return fairmesh_erase(mesh, &list, 0, result, error);
-    case 3: return fairmesh_erase(mesh, &list, most, result, error);
-    case 4: return fairmesh_trim_boundary(mesh, head[31] & 32 ? NULL : &list, most, number, result, error);
-    case 5: return fairmesh_bridge(mesh, &list, &list, &how, &fill, options, result, error);
-    case 6: return fairmesh_refill(mesh, selection, &fill, options, result, error);
-    case 7: return fairmesh_carry_over(mesh, head[31] & 32 ? NULL : &list, &mesh->positions, NULL, NULL, result, error);
-    case 8: return fairmesh_rim_roughness(mesh, result, error);
-    default: return fairmesh_components(mesh, result, error);
+#include <stddef.h>
+
+enum { SIDE = 5, VERTICES = SIDE * SIDE, TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1), LIST = 16 };
+
+/* The arrays. Nothing is at 0, which stands for NULL. */
+typedef struct {
+    double nothing;
+    double positions[VERTICES][3];
+    uint32_t triangles[TRIANGLES][3];
+    uint32_t list[LIST];
+    double out[VERTICES][4];
+    uint8_t mask[VERTICES];
+} Arrays;
+
+typedef struct {
+    Given given;
+    Arrays arrays;
+} All;
+
+/* An array is where it begins in the arrays, until its pointer is made of that. */
+#define AT(array) ((void *)(uintptr_t)offsetof(Arrays, array))
+
+static void make_grid(Arrays *arrays) {
+    uint32_t (*t)[3] = arrays->triangles;
+    size_t v;
+    for (v = 0; v < VERTICES; v++) {
+        double x = (double)(v % SIDE) / (SIDE - 1) - 0.5, y = (double)(v / SIDE) / (SIDE - 1) - 0.5;
+        uint32_t a = (uint32_t)v, quad[2][3] = {{a, a + 1, a + SIDE + 1}, {a, a + SIDE + 1, a + SIDE}};
+        arrays->positions[v][0] = x;
+        arrays->positions[v][1] = y;
+        arrays->positions[v][2] = 0.4 * x * x;
+        arrays->mask[v] = v % SIDE > 0 && v % SIDE + 1 < SIDE && v / SIDE > 0 && v / SIDE + 1 < SIDE;
+        if (v % SIDE + 1 < SIDE && v / SIDE + 1 < SIDE) memcpy(t, quad, sizeof quad), t += 2;
     }
+    for (v = 0; v < LIST; v++) arrays->list[v] = (uint32_t)v;
+}
+
+static void make_right(All *all) {
+    Given *given = &all->given;
+    memset(all, 0, sizeof *all);
+    give_nothing(given);
+    make_grid(&all->arrays);
+    given->mesh.positions.data = AT(positions);
+    given->mesh.positions.count = VERTICES;
+    given->mesh.positions.scalar = FAIRMESH_SCALAR_FLOAT64;
+    given->mesh.triangles.data = AT(triangles);
+    given->mesh.triangles.count = TRIANGLES;
+    given->selection.kind = FAIRMESH_SELECTION_KIND_FREE_MASK;
+    given->selection.data = AT(mask);
+    given->selection.count = VERTICES;
+    given->points = given->mesh.positions;
+    given->out.data = AT(out);
+    given->out.count = VERTICES;
+    given->out.scalar = FAIRMESH_SCALAR_FLOAT64;
+    given->first.data = given->second.data = AT(list);
+    given->first.count = given->second.count = 2;
+    given->options.tolerance = 1e-4;
+    given->options.max_iterations = 16;
+    given->options.threads = 1;
+    given->fill.max_new_vertices = 200;
+    given->remesh.max_vertices = 500;
+    given->step_count = given->edit_count = 1;
+}
+
+static void patch(Bytes *bytes, All *all) {
+    while (bytes->size > 0) {
+        size_t at = next_two(bytes), count = next(bytes);
+        for (; count > 0 && bytes->size > 0; count--, at++) ((uint8_t *)all)[at % sizeof *all] = next(bytes);
+    }
+}
+
+/* An array within memory: rows of at most 32 bytes. Counts that no memory can have stay. */
+static void *within(const void *at, size_t *count, size_t stride, uint8_t *memory) {
+    enum { ROW = 32 };
+    size_t begin = (uintptr_t)at % (sizeof(Arrays) - ROW), step = stride > ROW ? stride : ROW;
+    size_t most = (sizeof(Arrays) - ROW - begin) / step + 1;
+    if (*count > most && *count - 1 <= (size_t)PTRDIFF_MAX / (stride ? stride : 1)) *count = 1 + *count % most;
+    return begin == 0 ? NULL : memory + begin;
+}
+
+#define WITHIN(view) ((view).data = within((view).data, &(view).count, (view).stride, memory))
+
+static void point_within(Given *given, uint8_t *memory) {
+    size_t k;
+    WITHIN(given->mesh.positions);
+    WITHIN(given->mesh.triangles);
+    WITHIN(given->selection);
+    WITHIN(given->options.boundary_normals.vectors);
+    WITHIN(given->options.boundary_normals.vertices);
+    WITHIN(given->options.loop_continuity.values);
+    WITHIN(given->options.loop_continuity.vertices);
+    WITHIN(given->options.boundary_curvature.values);
+    WITHIN(given->options.boundary_curvature.vertices);
+    WITHIN(given->fill.join.loops);
+    WITHIN(given->fill.join.starts);
+    WITHIN(given->fill.guides);
+    WITHIN(given->fill.loops);
+    WITHIN(given->fill.filter.components);
+    WITHIN(given->first);
+    WITHIN(given->second);
+    WITHIN(given->points);
+    WITHIN(given->out);
+    for (k = 0; k < STEPS; k++) WITHIN(given->steps[k].list);
+    for (k = 0; k < EDITS; k++) WITHIN(given->edits[k].vertices);
+    if (given->step_count <= SIZE_MAX / 64) given->step_count %= STEPS + 1u;
+    if (given->edit_count <= SIZE_MAX / 64) given->edit_count %= EDITS + 1u;
+}
+
+int LLVMFuzzerInitialize(int *argc, char ***argv);
+
+int LLVMFuzzerInitialize(int *argc, char ***argv) {
+    (void)argc, (void)argv;
+    return fairmesh_set_log(found_bug, NULL);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    enum { HEAD = 64, ARRAYS = 1536 };
-    union {
-        double align;
-        uint8_t bytes[ARRAYS];
-    } positions, corners, mask, out;
-    uint8_t head[HEAD];
-    fairmesh_options options;
-    /* The size that the struct claims lies within its memory, too. */
-    union {
-        fairmesh_mesh mesh;
-        uint8_t room[256];
-    } sized;
-    fairmesh_selection selection;
-    fairmesh_points_out to;
-    fairmesh_error error;
-    fairmesh_status status;
-    size_t k, room, number;
-    memset(head, 0, sizeof head);
-    memcpy(head, data, size < HEAD ? size : HEAD);
-    data += size < HEAD ? size : HEAD;
-    size -= size < HEAD ? size : HEAD;
-    memset(&positions, 0, sizeof positions);
-    memset(&corners, 0, sizeof corners);
-    memset(&mask, 1, sizeof mask);
-    for (k = 0; k < size && k < 3 * ARRAYS; k++) {
-        uint8_t *to_array = k % 3 == 0 ? positions.bytes : k % 3 == 1 ? corners.bytes : mask.bytes;
-        to_array[k / 3] = data[k];
-    }
-    fairmesh_options_init(&options, sizeof options);
-    memset(&sized, 0, sizeof sized);
-    memset(&selection, 0, sizeof selection);
-    memset(&to, 0, sizeof to);
-    sized.mesh.struct_size = head[0] & 1 ? sizeof sized.mesh : head[1];
-    sized.mesh.positions.data = positions.bytes + (head[0] & 2 ? head[2] % 16 : 0);
-    sized.mesh.positions.scalar = head[3] % 4;
-    sized.mesh.positions.stride = head[4] % 64;
-    number = sized.mesh.positions.scalar == 2 ? 8 : 4;
-    room = sized.mesh.positions.stride > 3 * number ? sized.mesh.positions.stride : 3 * number;
-    sized.mesh.positions.count = head[5] % ((ARRAYS - 16) / room + 1);
-    sized.mesh.triangles.data = (const uint32_t *)(const void *)(corners.bytes + (head[0] & 4 ? head[6] % 8 : 0));
-    sized.mesh.triangles.stride = head[7] % 32;
-    room = sized.mesh.triangles.stride > 12 ? sized.mesh.triangles.stride : 12;
-    sized.mesh.triangles.count = head[8] % ((ARRAYS - 8) / room + 1);
-    selection.struct_size = sizeof selection;
-    selection.kind = head[9] % 6;
-    selection.data = mask.bytes + (head[0] & 8 ? head[10] % 8 : 0);
-    selection.stride = head[11] % 16;
-    room = selection.stride > 4 ? selection.stride : 4;
-    selection.count = head[12] & 1 ? sized.mesh.positions.count : head[13] % ((ARRAYS - 8) / room + 1);
-    if (selection.count * room > ARRAYS - 8) selection.count = (ARRAYS - 8) / room;
-    to.data = head[0] & 16 ? (void *)(uintptr_t)sized.mesh.positions.data : out.bytes;
-    to.scalar = sized.mesh.positions.scalar;
-    to.stride = sized.mesh.positions.stride;
-    to.count = sized.mesh.positions.count;
-    options.inner_fairness = head[14] % 4;
-    options.boundary_normals.kind = head[15] % 3;
-    options.target.kind = head[16] % 4;
-    memcpy(&options.target.constant, head + 24, 8);
-    memcpy(&options.tolerance, head + 32, 8);
-    if (head[17] & 1) options.tolerance = 1e-3;
-    options.boundary_normals.vectors = sized.mesh.positions;
-    options.interior_normals = head[18] % 3;
-    memcpy(&options.continuity, head + 40, 8);
-    if (head[22] & 1) options.continuity = 1.0;
-    options.boundary_curvature.kind = head[23] % 3;
-    options.boundary_curvature.values.data = sized.mesh.positions.data;
-    options.boundary_curvature.values.count = sized.mesh.positions.count;
-    options.boundary_curvature.values.stride = sized.mesh.positions.stride;
-    options.boundary_curvature.values.scalar = sized.mesh.positions.scalar;
-    options.discretization = head[19] % 3;
-    options.threads = 1;
-    options.max_iterations = head[20] % 8;
-    if (head[0] & 32) {
-        fairmesh_result *result = NULL;
-        status = holes(head, mask.bytes, &sized.mesh, head[21] & 1 ? NULL : &selection, &options, &result, &error);
-        if (status == FAIRMESH_STATUS_INTERNAL || error.status != (int32_t)status) abort();
-        if (fairmesh_result_free(result) != FAIRMESH_STATUS_OK) abort();
-        return 0;
-    }
-    status = fairmesh_fair(&sized.mesh, head[21] & 1 ? NULL : &selection, &options, &to, NULL, NULL, &error);
-    if (status == FAIRMESH_STATUS_INTERNAL) abort();
-    if (error.status != (int32_t)status) abort();
+    Bytes bytes = {data, size};
+    All all;
+    Task task = TASKS[next(&bytes) % TASK_COUNT];
+    make_right(&all);
+    patch(&bytes, &all);
+    /* Of its own, so that its ends are known. */
+    point_within(&all.given, memcpy(block(sizeof(Arrays)), &all.arrays, sizeof(Arrays)));
+    do_task(task, &all.given);
     return 0;
 }

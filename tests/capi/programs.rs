@@ -207,6 +207,18 @@ fn every_function_is_called_from_every_language_shared_and_static() {
 }
 
 #[test]
+fn every_function_is_fuzzed() {
+    let files = fs::read_dir(root().join("fuzz")).unwrap();
+    let paths = files.map(|file| file.unwrap().path());
+    let sources = paths.filter(|path| path.extension().is_some_and(|e| e == "c" || e == "h"));
+    let calls: String = sources.map(|path| fs::read_to_string(path).unwrap()).collect();
+    for function in functions_of_header() {
+        let is_called = calls.contains(&format!("{function}("));
+        assert!(is_called, "no target in fuzz/ calls {function}");
+    }
+}
+
+#[test]
 fn exported_symbols_are_the_functions_of_the_header() {
     let symbols = |arguments: &[&str], library: &str| -> BTreeSet<String> {
         let said = run(Command::new("nm").args(arguments).arg(prefix().join(library)));
