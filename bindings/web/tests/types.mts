@@ -24,7 +24,7 @@ export async function all(): Promise<void> {
     library.fair({ triangles: [0, 1, 2] });
     const [low, high]: [number, number] = report.hInside;
     const loops = library.boundaryLoops(single);
-    const kinds: ("hole" | "outer_boundary" | "non_manifold")[] = loops.map(({ kind }) => kind);
+    const kinds: ("hole" | "outer_boundary" | "non_manifold" | "inconsistent")[] = loops.map(({ kind }) => kind);
     const text: string = library.describe("status", "no_bump").remedy;
     const name: string = report.components[0]!.attempts[0]!.name;
     const solver = library.solver(single);
