@@ -210,7 +210,10 @@ impl Task<'_> {
         if is_stopped_at(tell, COARSE_SHARE) {
             return PatchSurface::open(OpenReason::Cancelled);
         }
-        let coarsened = !self.refine(&mut patch);
+        let coarsened = !self.refine_telling(&mut patch, &mut |fraction| {
+            // Who stops it is seen to where the refinement ends.
+            let _ = is_stopped_at(tell, COARSE_SHARE + (REFINED - COARSE_SHARE) * fraction);
+        });
         if is_stopped_at(tell, REFINED) {
             return PatchSurface::open(OpenReason::Cancelled);
         }
@@ -348,11 +351,22 @@ impl Task<'_> {
     /// Refines to the end; coarser inside if the vertices do not suffice. False: they did not. Where the run is stopped the patch stays
     /// as it is.
     pub(super) fn refine(&self, patch: &mut Patch) -> bool {
+        self.refine_telling(patch, &mut |_| ())
+    }
+
+    /// The same; `tell` gets how far it is, never falling.
+    fn refine_telling(&self, patch: &mut Patch, tell: &mut dyn FnMut(f64)) -> bool {
         let mut growth = 0.0;
+        let mut reached = 0.0_f64;
+        let mut tell = |fraction: f64| {
+            reached = reached.max(fraction);
+            tell(reached);
+        };
         loop {
             let fineness = self.fineness(growth);
             let mut refined = patch.clone();
-            let mut refiner = Refiner::new(&mut refined, fineness, &self.surroundings.taken);
+            let mut refiner =
+                Refiner::new(&mut refined, fineness, &self.surroundings.taken).telling(&mut tell);
             let is_last = growth > LAST_GROWTH;
             let enough = match is_last {
                 true => refiner.run_to_end(),
