@@ -3,7 +3,6 @@
 //! The triangulation of a large hole is far from the surface that it becomes, and edges of the right length there would be
 //! too long on it. So a coarse patch is faired first, loosely, and the fine one is refined on that.
 
-use fairmesh_linear::interrupt::is_stopped;
 use nalgebra::Vector3;
 
 use crate::fairing::{
@@ -28,12 +27,6 @@ pub(super) const COARSE_SHARE: f64 = 0.1;
 /// The fraction of the progress at which the patch is refined.
 /// Half or double, of 40 cases: only the progress changes.
 const REFINED: f64 = 0.4;
-/// First growth of edges away from the boundary, per length, when the vertices do not suffice.
-/// Half or double, of 1 case: none changes.
-const FIRST_GROWTH: f64 = 0.02;
-/// Last growth of edges when the vertices do not suffice.
-/// Half or double, of 41 cases: none changes.
-const LAST_GROWTH: f64 = 3.0;
 /// On short edges of the boundary, edges may be this much longer than those: triangles keep 15 degrees.
 /// Of 44 cases, half: 41 change, 34 get another triangulation, +13 % iterations, 3 fail;
 /// double: 32 change, 28 get another triangulation, +2 % iterations.
@@ -345,41 +338,6 @@ impl Task<'_> {
             factor: self.factor,
             growth,
             most: self.most,
-        }
-    }
-
-    /// Refines to the end; coarser inside if the vertices do not suffice. False: they did not. Where the run is stopped the patch stays
-    /// as it is.
-    pub(super) fn refine(&self, patch: &mut Patch) -> bool {
-        self.refine_telling(patch, &mut |_| ())
-    }
-
-    /// The same; `tell` gets how far it is, never falling.
-    fn refine_telling(&self, patch: &mut Patch, tell: &mut dyn FnMut(f64)) -> bool {
-        let mut growth = 0.0;
-        let mut reached = 0.0_f64;
-        let mut tell = |fraction: f64| {
-            reached = reached.max(fraction);
-            tell(reached);
-        };
-        loop {
-            let fineness = self.fineness(growth);
-            let mut refined = patch.clone();
-            let mut refiner =
-                Refiner::new(&mut refined, fineness, &self.surroundings.taken).telling(&mut tell);
-            let is_last = growth > LAST_GROWTH;
-            let enough = match is_last {
-                true => refiner.run_to_end(),
-                false => refiner.run(),
-            };
-            if is_stopped() {
-                return true;
-            }
-            if enough || is_last {
-                *patch = refined;
-                return growth == 0.0;
-            }
-            growth = if growth == 0.0 { FIRST_GROWTH } else { 2.0 * growth };
         }
     }
 

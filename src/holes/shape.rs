@@ -1,5 +1,7 @@
 //! A coarse patch, faired loosely: where the fine one is laid out.
 
+use fairmesh_linear::interrupt::is_stopped;
+
 use super::patch::Patch;
 use super::refine::Refiner;
 use crate::fairing::{BoundaryNormals, Options, Progress, ProgressCallback};
@@ -27,7 +29,49 @@ const COARSE_TOLERANCE: f64 = 1e-3;
 /// Of 32 cases, half: 3 change, 2 get another triangulation; double: 2 change.
 const COARSE_ITERATIONS: usize = 30;
 
+/// First growth of edges away from the boundary, per length, when the vertices do not suffice.
+/// Half or double, of 1 case: none changes.
+const FIRST_GROWTH: f64 = 0.02;
+/// Last growth of edges when the vertices do not suffice.
+/// Half or double, of 41 cases: none changes.
+const LAST_GROWTH: f64 = 3.0;
+
 impl Task<'_> {
+    /// Refines to the end; coarser inside if the vertices do not suffice. False: they did not. Where the run is stopped the patch stays
+    /// as it is.
+    pub(super) fn refine(&self, patch: &mut Patch) -> bool {
+        self.refine_telling(patch, &mut |_| ())
+    }
+
+    /// The same; `tell` gets how far it is, never falling.
+    pub(super) fn refine_telling(&self, patch: &mut Patch, tell: &mut dyn FnMut(f64)) -> bool {
+        let mut growth = 0.0;
+        let mut reached = 0.0_f64;
+        let mut tell = |fraction: f64| {
+            reached = reached.max(fraction);
+            tell(reached);
+        };
+        loop {
+            let fineness = self.fineness(growth);
+            let mut refined = patch.clone();
+            let mut refiner =
+                Refiner::new(&mut refined, fineness, &self.surroundings.taken).telling(&mut tell);
+            let is_last = growth > LAST_GROWTH;
+            let enough = match is_last {
+                true => refiner.run_to_end(),
+                false => refiner.run(),
+            };
+            if is_stopped() {
+                return true;
+            }
+            if enough || is_last {
+                *patch = refined;
+                return growth == 0.0;
+            }
+            growth = if growth == 0.0 { FIRST_GROWTH } else { 2.0 * growth };
+        }
+    }
+
     /// The same between loops. That their triangulation has few vertices where the surface is wide does not matter only if it is
     /// found; then it is laid out once more.
     pub(super) fn shape_joint(&self, patch: &mut Patch, tell: &mut ProgressCallback<'_>) {
