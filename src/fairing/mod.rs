@@ -87,7 +87,7 @@ pub fn fair(
 }
 
 /// [`fair`], which calls `progress` on the calling thread: after every iteration, more often while the start is made, and
-/// every 50 ms where nothing is new; in components of less than a thousandth of all free vertices, whenever another
+/// every 20 ms where nothing is new; in components of less than a thousandth of all free vertices, whenever another
 /// thousandth is done. The last call has the fraction 1, unless the run is stopped. `Break` stops the run with the best surface
 /// so far; before there is one, with the input. Components that are done then keep their results.
 ///
