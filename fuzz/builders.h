@@ -84,7 +84,7 @@ static inline View view_of(Bytes *bytes, const double *rows, size_t count, size_
 
 /* Vectors of about unit length, for the vertices of a list or for all. */
 static inline void give_normals(Bytes *bytes, fairmesh_boundary_normals *normals, uint32_t vertices) {
-    enum { MOST = 256 };
+    enum { MOST = 1024 };
     double rows[MOST][3];
     size_t count, k;
     uint8_t how = next(bytes);

@@ -3,7 +3,8 @@
 #include "builders.h"
 #include "tasks.h"
 
-enum { SIDE = 9, MOST_VERTICES = 2 * SIDE * SIDE, MOST_TRIANGLES = 4 * SIDE * SIDE };
+/* Vertices of a side: of most meshes, and of the largest. */
+enum { SIDE = 9, LARGE = 21, MOST_VERTICES = 2 * LARGE * LARGE, MOST_TRIANGLES = 4 * LARGE * LARGE };
 typedef struct {
     double positions[MOST_VERTICES][3];
     uint32_t triangles[MOST_TRIANGLES][3];
@@ -79,7 +80,7 @@ static Shape shape_of(Bytes *bytes) {
     double bend = unit(bytes);
     size_t changes;
     memset(&shape, 0, sizeof shape);
-    shape.side = 3 + (what / 4u + 3u) % (SIDE - 2);
+    shape.side = what / 4u == 63 ? LARGE : 3 + (what / 4u + 3u) % (SIDE - 2);
     add_sheet(&shape, kind, bend, 0.0, 0);
     if (kind >= TWO) add_sheet(&shape, kind, kind == PILLOW ? -bend : bend, kind == PILLOW ? 0.0 : -0.3, what < 128 || kind == PILLOW);
     for (changes = next(bytes) % CHANGES; changes > 0; changes--) change(bytes, &shape);

@@ -65,6 +65,37 @@ static inline size_t size_of_out(const fairmesh_points_out *out) {
     return out->count * 3 * (out->scalar == FAIRMESH_SCALAR_FLOAT32 ? 4 : 8);
 }
 
+/* A coordinate of points that were taken for right. */
+static inline double coordinate(const fairmesh_points *points, size_t k, size_t i) {
+    size_t size = points->scalar == FAIRMESH_SCALAR_FLOAT32 ? 4 : 8;
+    const uint8_t *from = (const uint8_t *)points->data + k * (points->stride ? points->stride : 3 * size) + i * size;
+    float single;
+    double value;
+    if (size == 8) return memcpy(&value, from, 8), value;
+    return memcpy(&single, from, 4), single;
+}
+
+static inline int is_same(double a, double b) { return a == b || (a != a && b != b); }
+
+/* What is not free stays, where the mask alone says what is free. */
+static void check_fixed(const Run *run) {
+    const fairmesh_mesh *mesh = run->handed.mesh;
+    const fairmesh_selection *selection = run->handed.selection;
+    const fairmesh_points_out *out = run->handed.out;
+    fairmesh_points moved;
+    size_t k, i;
+    if (!selection || selection->kind != FAIRMESH_SELECTION_KIND_FREE_MASK || mesh->coincident != FAIRMESH_COINCIDENT_SEPARATE) return;
+    if (!out || out->data == mesh->positions.data) return;
+    memcpy(&moved, out, sizeof moved);
+    for (k = 0; k < moved.count; k++) {
+        if (((const uint8_t *)selection->data)[k * (selection->stride ? selection->stride : 1)]) continue;
+        for (i = 0; i < 3; i++) {
+            double was = coordinate(&mesh->positions, k, i);
+            MUST(is_same(coordinate(&moved, k, i), out->scalar == FAIRMESH_SCALAR_FLOAT32 ? (double)(float)was : was));
+        }
+    }
+}
+
 static fairmesh_status fair(Run *run) {
     const Handed *to = &run->handed;
     size_t size = to->out ? size_of_out(to->out) : 0;
@@ -72,12 +103,24 @@ static fairmesh_status fair(Run *run) {
     fairmesh_status status;
     if (size) memcpy(before, to->out->data, size);
     status = fairmesh_fair(to->mesh, to->selection, to->options, to->out, to->report, to->result, anew(run));
+    if (status == FAIRMESH_STATUS_OK) check_fixed(run);
     if (status != FAIRMESH_STATUS_OK && size) MUST(memcmp(before, to->out->data, size) == 0);
     return status;
 }
 
-/* Any number of threads gives the same bits. */
-static fairmesh_status fair_by_two(Run *run) {
+/* A solver that runs to the end. */
+static fairmesh_status fair_in_steps(const Run *run, const fairmesh_options *options) {
+    const Handed *to = &run->handed;
+    fairmesh_solver *made = NULL;
+    fairmesh_status status = fairmesh_solver_new(to->mesh, to->selection, options, &made, to->error);
+    if (status == FAIRMESH_STATUS_OK) status = fairmesh_solver_run(made, UINT64_MAX, NULL, to->error);
+    if (status == FAIRMESH_STATUS_OK) status = fairmesh_solver_positions(made, to->out, to->error);
+    MUST(fairmesh_solver_free(made) == FAIRMESH_STATUS_OK);
+    return status;
+}
+
+/* Any number of threads gives the same bits, and so does a solver. */
+static fairmesh_status fair_again(Run *run) {
     const Handed *to = &run->handed;
     size_t size = to->out ? size_of_out(to->out) : 0;
     void *one = block(size);
@@ -86,12 +129,15 @@ static fairmesh_status fair_by_two(Run *run) {
     options.struct_size = sizeof options;
     options.progress = NULL;
     options.threads = 1;
+    if (to->out && to->out->scalar == FAIRMESH_SCALAR_FLOAT32) options.output_precision = FAIRMESH_OUTPUT_PRECISION_SINGLE;
     status = checked(fairmesh_fair(to->mesh, to->selection, &options, to->out, NULL, NULL, to->error), to->error);
-    if (status != FAIRMESH_STATUS_OK || to->out == NULL || to->out->data == run->given->mesh.positions.data) return status;
-    if (size) memcpy(one, to->out->data, size);
+    if (status != FAIRMESH_STATUS_OK || size == 0 || to->out->data == run->given->mesh.positions.data) return status;
+    memcpy(one, to->out->data, size);
     options.threads = 2;
-    status = fairmesh_fair(to->mesh, to->selection, &options, to->out, NULL, NULL, to->error);
-    MUST(status == FAIRMESH_STATUS_OK && (size == 0 || memcmp(one, to->out->data, size) == 0));
+    status = checked(fairmesh_fair(to->mesh, to->selection, &options, to->out, NULL, NULL, to->error), to->error);
+    MUST(status == FAIRMESH_STATUS_OK && memcmp(one, to->out->data, size) == 0);
+    status = checked(fair_in_steps(run, &options), to->error);
+    MUST(status == FAIRMESH_STATUS_OK && memcmp(one, to->out->data, size) == 0);
     return status;
 }
 
@@ -115,9 +161,29 @@ static fairmesh_status rim_roughness(Run *run) { return fairmesh_rim_roughness(r
 
 static fairmesh_status components(Run *run) { return fairmesh_components(run->handed.mesh, run->handed.result, run->handed.error); }
 
+/* Vertices given come first, as they were. */
+static void check_kept(const fairmesh_mesh *mesh, const fairmesh_result *result) {
+    fairmesh_points_out out;
+    fairmesh_points filled;
+    fairmesh_info info;
+    size_t k, i;
+    info.struct_size = sizeof info;
+    MUST(fairmesh_result_info(result, &info, NULL) == FAIRMESH_STATUS_OK && info.vertex_count >= mesh->positions.count);
+    memset(&out, 0, sizeof out);
+    out.count = (size_t)info.vertex_count;
+    out.data = block(24 * out.count);
+    out.scalar = FAIRMESH_SCALAR_FLOAT64;
+    MUST(fairmesh_result_positions(result, &out, NULL) == FAIRMESH_STATUS_OK);
+    memcpy(&filled, &out, sizeof filled);
+    for (k = 0; k < mesh->positions.count; k++)
+        for (i = 0; i < 3; i++) MUST(is_same(coordinate(&mesh->positions, k, i), coordinate(&filled, k, i)));
+}
+
 static fairmesh_status fill_holes(Run *run) {
     const Handed *to = &run->handed;
-    return fairmesh_fill_holes(to->mesh, to->fill, to->options, to->result, anew(run));
+    fairmesh_status status = fairmesh_fill_holes(to->mesh, to->fill, to->options, to->result, anew(run));
+    if (status == FAIRMESH_STATUS_OK && run->given->fill.relax_rim == 0) check_kept(to->mesh, run->result);
+    return status;
 }
 
 static fairmesh_status suggest_joins(Run *run) {
@@ -232,7 +298,7 @@ typedef fairmesh_status (*Task)(Run *);
 static const Task TASKS[] = {
     fair,        fill_holes,    solver,        remesh,     bridge,             refill,         select_region,
     suggest_joins, erase,       trim_boundary, carry_over, rim_roughness,      boundary_loops, components,
-    self_intersections, mean_curvature, memory_needed, fair_by_two, initialize, describe,
+    self_intersections, mean_curvature, memory_needed, fair_again, initialize, describe,
 };
 enum { TASK_COUNT = sizeof TASKS / sizeof TASKS[0] };
 
@@ -253,6 +319,8 @@ static inline void do_task(Task task, Given *given) {
     status = task(&run);
     checked(status, tells_error(task) ? run.handed.error : NULL);
     if (status != FAIRMESH_STATUS_OK) MUST(run.result == NULL);
+    /* A callback that did not stop the run has been told of its end; a solver may have been held up before. */
+    if (status == FAIRMESH_STATUS_OK && run.calls > 0 && run.calls < given->patience && task != solver) MUST(run.fraction == 1.0);
     if (status == FAIRMESH_STATUS_CANCELLED) MUST(run.calls >= given->patience && given->patience > 0);
     if (run.result) read_all(run.result, given->growth);
     MUST(fairmesh_result_free(run.result) == FAIRMESH_STATUS_OK);
