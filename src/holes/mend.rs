@@ -83,7 +83,7 @@ impl Refiner<'_> {
         self.settle(&mut near);
     }
 
-    fn is_full(&self) -> bool {
+    pub(super) fn is_full(&self) -> bool {
         self.patch.inner_vertices() >= self.fineness.most
     }
 

@@ -167,6 +167,7 @@ impl<'a> Refiner<'a> {
             self.clear_boundary();
             self.flip_all();
             self.mend();
+            self.fineness.most = most;
             self.split_chords();
             self.tell(MENDED);
         }
@@ -270,7 +271,10 @@ impl<'a> Refiner<'a> {
             return;
         }
         for h in 0..self.patch.half_edges() {
-            if self.is_inner(h) && self.is_chord(h) && self.splits_well(h) && !is_stopped() {
+            if self.is_full() || is_stopped() {
+                return;
+            }
+            if self.is_inner(h) && self.is_chord(h) && self.splits_well(h) {
                 self.split_and_flip(h);
             }
         }

@@ -437,6 +437,28 @@ fn the_vertex_cap_holds_on_a_loop_of_ten_thousand_edges() {
     assert_above!(report.vertices.len(), 5_000);
 }
 
+/// Edges across a neck were split whether there was a vertex left or not.
+#[test]
+fn the_vertex_cap_holds_in_a_hole_with_necks() {
+    for necks in [2.0, 3.0, 5.0] {
+        let petals = |r: f64| {
+            move |a: f64| {
+                let r = r * (1.0 + 0.9 * (necks * a).cos());
+                [r * a.cos(), r * a.sin(), 0.0]
+            }
+        };
+        let (x, t) = collar(60, petals(1.0), petals(1.05));
+        for most in 0..60 {
+            let asked = FillOptions {
+                max_new_vertices: most,
+                ..options(Loops::UpTo(usize::MAX))
+            };
+            let filled = fill_holes(&x, &t, &asked).unwrap();
+            assert_at_most!(filled.positions.len() - x.len(), most, "{necks} necks");
+        }
+    }
+}
+
 #[test]
 fn a_cone_is_closed_at_its_tip_and_its_base() {
     let (x, t) = collar(40, ring(0.2, 1.6), ring(0.3, 1.4));
