@@ -21,7 +21,7 @@ tree=$work/fairmesh-$version-$target
 program=$work/fairmesh-cli-$version-$target
 [ "$target" = wasm32 ] || library=$tree/$(library_file "$target")
 # What a host is willing to carry; what they are is told below.
-LIBRARY_BYTES=$((4000 * 1000))
+LIBRARY_BYTES=$((4 * 1024 * 1024))
 PROGRAM_BYTES=$((10 * 1000 * 1000))
 WASM_BYTES=$((1000 * 1000))
 

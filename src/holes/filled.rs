@@ -8,7 +8,7 @@ use crate::holes::patch_surface::PatchSurface;
 /// The filled mesh.
 #[derive(Debug, Clone)]
 pub struct Filled {
-    /// The positions given, then the new ones. Those given are as they were, unless [`FillOptions::rim`] lets them move.
+    /// The positions given, then the new ones. Those given are as they were, unless [`FillOptions::rim`](crate::FillOptions::rim) lets them move.
     pub positions: Vec<[f64; 3]>,
     /// The triangles given, then the new ones.
     pub triangles: Vec<[u32; 3]>,
