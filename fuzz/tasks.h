@@ -161,16 +161,30 @@ static fairmesh_status rim_roughness(Run *run) { return fairmesh_rim_roughness(r
 
 static fairmesh_status components(Run *run) { return fairmesh_components(run->handed.mesh, run->handed.result, run->handed.error); }
 
+static inline fairmesh_info info_of(const fairmesh_result *result) {
+    fairmesh_info info;
+    info.struct_size = sizeof info;
+    MUST(fairmesh_result_info(result, &info, NULL) == FAIRMESH_STATUS_OK);
+    return info;
+}
+
+/* No more are made than may be. */
+static fairmesh_status at_most(uint64_t most, fairmesh_status status, const Run *run) {
+    if (status == FAIRMESH_STATUS_OK && run->result) MUST(info_of(run->result).new_vertex_count <= most);
+    return status;
+}
+
+/* How many that are by the options of hole filling. */
+static inline uint64_t most_of(const Run *run) { return run->handed.fill ? run->given->fill.max_new_vertices : UINT64_MAX; }
+
 /* Vertices given come first, as they were. */
 static void check_kept(const fairmesh_mesh *mesh, const fairmesh_result *result) {
     fairmesh_points_out out;
     fairmesh_points filled;
-    fairmesh_info info;
     size_t k, i;
-    info.struct_size = sizeof info;
-    MUST(fairmesh_result_info(result, &info, NULL) == FAIRMESH_STATUS_OK && info.vertex_count >= mesh->positions.count);
     memset(&out, 0, sizeof out);
-    out.count = (size_t)info.vertex_count;
+    out.count = (size_t)info_of(result).vertex_count;
+    MUST(out.count >= mesh->positions.count);
     out.data = block(24 * out.count);
     out.scalar = FAIRMESH_SCALAR_FLOAT64;
     MUST(fairmesh_result_positions(result, &out, NULL) == FAIRMESH_STATUS_OK);
@@ -183,7 +197,7 @@ static fairmesh_status fill_holes(Run *run) {
     const Handed *to = &run->handed;
     fairmesh_status status = fairmesh_fill_holes(to->mesh, to->fill, to->options, to->result, anew(run));
     if (status == FAIRMESH_STATUS_OK && run->given->fill.relax_rim == 0) check_kept(to->mesh, run->result);
-    return status;
+    return at_most(most_of(run), status, run);
 }
 
 static fairmesh_status suggest_joins(Run *run) {
@@ -192,12 +206,14 @@ static fairmesh_status suggest_joins(Run *run) {
 
 static fairmesh_status remesh(Run *run) {
     const Handed *to = &run->handed;
-    return fairmesh_remesh(to->mesh, to->selection, to->remesh, to->result, anew(run));
+    fairmesh_status status = fairmesh_remesh(to->mesh, to->selection, to->remesh, to->result, anew(run));
+    return at_most(to->remesh ? run->given->remesh.max_vertices : UINT64_MAX, status, run);
 }
 
 static fairmesh_status refill(Run *run) {
     const Handed *to = &run->handed;
-    return fairmesh_refill(to->mesh, to->selection, to->fill, to->options, to->result, anew(run));
+    fairmesh_status status = fairmesh_refill(to->mesh, to->selection, to->fill, to->options, to->result, anew(run));
+    return at_most(most_of(run), status, run);
 }
 
 static fairmesh_status erase(Run *run) {
@@ -221,7 +237,9 @@ static fairmesh_status select_region(Run *run) {
 
 static fairmesh_status bridge(Run *run) {
     const Handed *to = &run->handed;
-    return fairmesh_bridge(to->mesh, to->first, &run->given->second, to->bridge, to->fill, to->options, to->result, anew(run));
+    const fairmesh_indices *second = &run->given->second;
+    fairmesh_status status = fairmesh_bridge(to->mesh, to->first, second, to->bridge, to->fill, to->options, to->result, anew(run));
+    return at_most(most_of(run), status, run);
 }
 
 static fairmesh_status memory_needed(Run *run) {
