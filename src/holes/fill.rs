@@ -65,7 +65,10 @@ pub fn fill_holes(
 /// loops that are not done stay open.
 ///
 /// ```
-/// /// use fairmesh::{FillOptions, FillOutcome, OpenReason, fill_holes_with_progress};
+/// use std::ops::ControlFlow;
+///
+/// use fairmesh::{FillOptions, FillOutcome, OpenReason, fill_holes_with_progress};
+///
 /// # let positions = [
 /// #     [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0],
 /// # ];
