@@ -5,7 +5,7 @@ use std::panic::PanicHookInfo;
 use std::sync::{Mutex, PoisonError};
 
 use super::guard::{guarded, words};
-use super::status::{Text, fairmesh_status};
+use super::status::{MESSAGE, Text, fairmesh_status};
 
 /// Called with a line of English, which is valid during the call. It may be called on any thread, and by several at once; it may not throw or
 /// `longjmp`, and it calls no function of the library.
@@ -39,19 +39,16 @@ pub extern "C" fn fairmesh_set_log(log: fairmesh_log_fn, user_data: *mut c_void)
     })
 }
 
-/// Tells of a panic. The lock is free while the host's function runs.
+/// Tells of a panic, in as many characters as an error's message has. The lock is free while the host's function runs.
 fn tell(panic: &PanicHookInfo<'_>) {
     let log = *LOG.lock().unwrap_or_else(PoisonError::into_inner);
     let said = words(panic.payload());
     let text = match panic.location() {
-        Some(at) => Text::<LINE>::new(format_args!("{}:{}: {said}", at.file(), at.line())),
-        None => Text::<LINE>::new(format_args!("{said}")),
+        Some(at) => Text::<MESSAGE>::new(format_args!("{}:{}: {said}", at.file(), at.line())),
+        None => Text::<MESSAGE>::new(format_args!("{said}")),
     };
     if let Some(Log { function, user_data }) = log {
         // SAFETY: the host's function, with what its documentation says.
         unsafe { function(text.characters().as_ptr(), user_data) };
     }
 }
-
-/// Characters of a line, with the NUL: what is longer is cut. The longest message of the library has some 150.
-const LINE: usize = 512;

@@ -8,6 +8,9 @@ use super::patch_sizes::PatchSizes;
 use super::status::{CallResult, Failure};
 use super::views::try_with_capacity;
 
+// All in bytes. When allocations fail anywhere in 19 kinds of calls on 8,100 and 14,400 vertices, at most 8 in 100 of what these add up to are
+// taken: with half of each nothing would fail that does not, and double only takes more address space.
+
 /// For threads, channels and small things.
 const BASE: u64 = 1 << 20;
 /// Per thread: its queues, and the room that dense kernels work in.
