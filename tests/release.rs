@@ -6,6 +6,8 @@
 mod command;
 #[path = "common/copy.rs"]
 mod copy;
+#[path = "common/interface.rs"]
+mod interface;
 
 use std::fs;
 use std::process::Command;
@@ -208,9 +210,7 @@ fn what_cannot_be_released_is_refused() {
 
 /// Where the binary interface is described: it has the end of the SONAME in its name.
 fn stored_interface() -> String {
-    let version: Vec<&str> = env!("CARGO_PKG_VERSION").split('.').collect();
-    let parts = if version[0] == "0" { 2 } else { 1 };
-    format!("packaging/libfairmesh.so.{}.abi", version[..parts].join("."))
+    format!("packaging/libfairmesh.so.{}.abi", interface::interface())
 }
 
 /// What abidiff is told not to mind, if the binary interface was `old`: nothing but structs that have grown.

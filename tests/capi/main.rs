@@ -8,6 +8,8 @@ mod committed;
 #[cfg(unix)]
 mod guide;
 mod header;
+#[path = "../common/interface.rs"]
+mod interface;
 mod numbers;
 #[cfg(unix)]
 mod programs;

@@ -8,6 +8,7 @@ use std::process::Command;
 use std::sync::OnceLock;
 
 use crate::command::run;
+use crate::interface::interface;
 
 pub(crate) const STRICT: [&str; 8] = [
     "-Wall",
@@ -100,13 +101,6 @@ pub(crate) fn pkg_config(arguments: &[&str]) -> Vec<String> {
         .arg("fairmesh")
         .env("PKG_CONFIG_PATH", prefix().join("lib/pkgconfig")));
     said.split_whitespace().map(str::to_owned).collect()
-}
-
-/// What the SONAME ends with: the version as far as programs rely on it.
-fn interface() -> String {
-    let version: Vec<&str> = env!("CARGO_PKG_VERSION").split('.').collect();
-    let parts = if version[0] == "0" { 2 } else { 1 };
-    version[..parts].join(".")
 }
 
 #[derive(Clone, Copy, PartialEq)]
