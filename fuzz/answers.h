@@ -148,6 +148,7 @@ static inline void read_triangles(const Reading *reading) {
 /* Reads all that a result has, and asks for what it has not. */
 static inline void read_all(const fairmesh_result *result, int growth) {
     Reading reading;
+    size_t blocks_before = block_count;
     uint64_t k;
     uint32_t which, scalar;
     memset(&reading, 0, sizeof reading);
@@ -166,6 +167,7 @@ static inline void read_all(const fairmesh_result *result, int growth) {
         for (which = 0; which <= FAIRMESH_SCALARS_GAUSSIAN_CURVATURE + 1; which++) read_scalars(&reading, scalar, which);
     }
     read_triangles(&reading);
+    free_blocks(blocks_before);
 }
 
 #endif

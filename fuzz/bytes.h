@@ -25,7 +25,7 @@ static inline uint32_t next_two(Bytes *bytes) {
     return low + 256u * next(bytes);
 }
 
-/* Blocks that live as long as a run. */
+/* Blocks that live as long as a run, or as the reading of a result. */
 enum { BLOCKS = 4096 };
 static void *blocks[BLOCKS];
 static size_t block_count;
@@ -37,8 +37,9 @@ static inline void *block(size_t size) {
     return made;
 }
 
-static inline void free_blocks(void) {
-    while (block_count > 0) free(blocks[--block_count]);
+/* Those that were made since there were so many. */
+static inline void free_blocks(size_t before) {
+    while (block_count > before) free(blocks[--block_count]);
 }
 
 /* No struct that is larger is read or written: the library refuses what claims to be more than twice its size. */

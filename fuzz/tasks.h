@@ -343,7 +343,7 @@ static inline void do_task(Task task, Given *given) {
     if (run.result) read_all(run.result, given->growth);
     MUST(fairmesh_result_free(run.result) == FAIRMESH_STATUS_OK);
     if (run.result) MUST(fairmesh_result_free(run.result) == FAIRMESH_STATUS_BAD_HANDLE);
-    free_blocks();
+    free_blocks(0);
 }
 
 #endif

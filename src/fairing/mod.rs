@@ -20,7 +20,7 @@ mod workers;
 
 use std::ops::ControlFlow;
 
-use fairmesh_linear::interrupt::is_stopped;
+use fairmesh_linear::interrupt::unless_stopped;
 
 pub use crate::discrete::target::Target;
 use crate::mesh::Joined;
@@ -169,7 +169,7 @@ pub(crate) fn on_workers<T: Send>(
 }
 
 /// The same for work that tells fractions of itself, and has no result where it is stopped: none then.
-pub(crate) fn unless_stopped<T: Send>(
+pub(crate) fn on_workers_unless_stopped<T: Send>(
     threads: usize,
     progress: &mut ProgressCallback<'_>,
     phase: &'static str,
@@ -185,8 +185,7 @@ pub(crate) fn unless_stopped<T: Send>(
                 phase,
             });
         };
-        let done = work(&mut tell);
-        if is_stopped() { Ok(None) } else { done.map(Some) }
+        unless_stopped(|| work(&mut tell)).transpose()
     })
 }
 

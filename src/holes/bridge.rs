@@ -9,6 +9,7 @@ use super::bridge_chains::Chains;
 use super::bridge_strip::Strip;
 use super::bridged::Bridged;
 use super::fill::fill_within;
+use super::fill_progress::FillProgress;
 use super::links::Links;
 use super::loops::{BoundaryLoop, LoopKind, boundary_loops_joined};
 use super::options::{FillOptions, Join, Loops};
@@ -20,7 +21,7 @@ use crate::mesh::Joined;
 use crate::support::error::Error;
 use crate::support::options::options;
 
-/// The progress has three parts of equal length where the rest is filled: the strip, the rest, all that is new together.
+/// Once the mesh is read, the progress has three parts of equal length where the rest is filled: the strip, the rest, all that is new together.
 const THIRD: f64 = 1.0 / 3.0;
 
 options! {
@@ -133,14 +134,20 @@ fn run(
         loops: &loops,
     };
     let ends = lookup.resolved(chains, options.width)?;
-    let share = if options.fill { THIRD } else { 1.0 };
     let strip = Strip::new(&links, positions, &ends, filling)?;
-    let mut tell = part(progress, 0.0, share);
-    let mut bridged = strip.make(&joined, triangles, filling, &mut tell)?;
-    drop(tell);
+    let edges = strip.boundary_edges();
+    let work = FillProgress::new(triangles.len(), filling.density, std::iter::once(edges));
+    let _ = progress(&work.loops_known());
+    let (read, left) = work.share(edges);
+    let mut progress = part(progress, read, left);
+    let share = if options.fill { THIRD } else { 1.0 };
+    let mut bridged = {
+        let mut tell = part(&mut progress, 0.0, share);
+        strip.make(&joined, triangles, filling, &mut tell)?
+    };
     let is_there = !matches!(bridged.strip.outcome, FillOutcome::LeftOpen(_));
     if options.fill && is_there {
-        bridged.fill_rest(positions.len() as u32, &strip, filling, progress)?;
+        bridged.fill_rest(positions.len() as u32, &strip, filling, &mut progress)?;
     }
     Ok(bridged)
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{SQRT_2, TAU};
 
-use fairmesh_linear::interrupt::is_stopped;
+use fairmesh_linear::interrupt::unless_stopped;
 use nalgebra::Vector3;
 
 use super::attempts::Check;
@@ -11,6 +11,7 @@ use super::bridge_sides::{Corner, End, Side};
 use super::bridged::Bridged;
 use super::crossing::Neighbours;
 use super::fill::crossings;
+use super::fill_progress::Tries;
 use super::filled::Filled;
 use super::groups::LoopGroup;
 use super::links::Links;
@@ -19,7 +20,7 @@ use super::options::{FillOptions, largest_patch};
 use super::outcome::{FillOutcome, OpenReason};
 use super::parents::{Parents, compose};
 use super::surroundings::Surroundings;
-use crate::fairing::{BoundaryNormals, Intersections, Options, ProgressCallback, joined_options};
+use crate::fairing::{BoundaryNormals, Intersections, Options, Progress, ProgressCallback, joined_options};
 use crate::holes::local_frame::local_options;
 use crate::holes::patch_surface::{PatchSurface, Task};
 use crate::mesh::{Joined, NONE};
@@ -92,6 +93,15 @@ impl<'m> Strip<'m> {
     /// How many vertices each side has.
     fn count(&self) -> usize {
         self.sides[0].len()
+    }
+
+    /// The edges of the chains and the sides.
+    pub(super) fn boundary_edges(&self) -> usize {
+        self.chains
+            .iter()
+            .map(|chain| chain.half_edges.len())
+            .sum::<usize>()
+            + 2 * (self.count() + 1)
     }
 
     /// The numbers of a side's vertices, from the first chain to the second.
@@ -289,11 +299,15 @@ impl<'m> Strip<'m> {
             neighbours: neighbours.as_mut(),
             has_sound_rim: &|_| true,
         };
-        let piece = task.settled(check, filling.on_failure, tell);
-        Ok(match is_stopped() {
-            true => PatchSurface::open(OpenReason::Cancelled),
-            false => piece,
-        })
+        let mut tries = Tries::new();
+        let mut tell = |progress: &Progress| {
+            tell(&Progress {
+                fraction: tries.reached(progress.fraction),
+                ..*progress
+            })
+        };
+        let piece = unless_stopped(|| task.settled(check, filling.on_failure, &mut tell));
+        Ok(piece.unwrap_or_else(|| PatchSurface::open(OpenReason::Cancelled)))
     }
 
     /// Where the sides' vertices come from: from the corners at both their ends.

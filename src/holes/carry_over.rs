@@ -4,7 +4,7 @@ use fairmesh_linear::interrupt::is_stopped;
 use nalgebra::Vector3;
 
 use super::parents::{Parents, nearest_on};
-use crate::fairing::{ProgressCallback, unless_stopped};
+use crate::fairing::{ProgressCallback, on_workers_unless_stopped};
 use crate::holes::grove::Grove;
 use crate::holes::tree_triangle::Placed;
 use crate::mesh::input;
@@ -64,7 +64,7 @@ pub fn carry_over_with_progress(
     points: &[[f64; 3]],
     progress: &mut ProgressCallback<'_>,
 ) -> Result<Option<Vec<Option<Carried>>>, Error> {
-    unless_stopped(1, progress, "carrying over", |tell| {
+    on_workers_unless_stopped(1, progress, "carrying over", |tell| {
         carried(positions, triangles, among, points, tell)
     })
 }

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use fairmesh_linear::interrupt::is_stopped;
+use fairmesh_linear::interrupt::{checkpoint, unless_stopped};
 
 use super::attempts::Check;
 use super::crossing::Neighbours;
@@ -195,10 +195,14 @@ pub(super) fn fill_within(
         let filled: Vec<usize> = (0..groups.len()).filter(|&i| is_filled(i)).collect();
         rims.relax(options, &links, filled.iter().map(|&i| (i, of_group(i))));
     }
+    let of_groups = FillProgress::new(triangles.len(), options.density, (0..groups.len()).map(work));
+    let _ = progress(&of_groups.loops_known());
     let mut run = FillRun {
         positions: &rims.positions,
         rims: &rims,
-        neighbours: is_checked.then(|| Neighbours::new(&rims.positions, &joined.triangles, chosen)),
+        neighbours: is_checked
+            .then(|| unless_stopped(|| Neighbours::new(&rims.positions, &joined.triangles, chosen)))
+            .flatten(),
         links: &links,
         place: vec![NONE; triangles.len()],
         made: HashSet::new(),
@@ -207,7 +211,7 @@ pub(super) fn fill_within(
         fairing: &fairing,
         objections: &objections,
         guides,
-        work: FillProgress::new(triangles.len(), options.density, (0..groups.len()).map(work)),
+        work: of_groups,
     };
     let mut pieces: Vec<Option<(PatchSurface, f64)>> = groups.iter().map(|_| None).collect();
     for i in order {
@@ -332,9 +336,18 @@ impl FillRun<'_> {
         if let Some(reason) = &self.objections[i] {
             return PatchSurface::open(*reason);
         }
-        if is_stopped() {
-            return PatchSurface::open(OpenReason::Cancelled);
-        }
+        unless_stopped(|| self.patch(i, group, loops, callback))
+            .unwrap_or_else(|| PatchSurface::open(OpenReason::Cancelled))
+    }
+
+    fn patch(
+        &mut self,
+        i: usize,
+        group: &LoopGroup,
+        loops: &[&BoundaryLoop],
+        callback: &mut ProgressCallback<'_>,
+    ) -> PatchSurface {
+        checkpoint();
         let mut surroundings = Surroundings::new(self.links, self.positions, loops, &mut self.place);
         surroundings.guides.clone_from(&self.guides[i]);
         if let Some(vertex) = surroundings.first_unusable() {
@@ -382,9 +395,7 @@ impl FillRun<'_> {
             has_sound_rim: &has_sound_rim,
         };
         let piece = task.settled(check, self.options.on_failure, &mut tell);
-        if is_stopped() {
-            return PatchSurface::open(OpenReason::Cancelled);
-        }
+        checkpoint();
         self.left -= piece.positions.len();
         for t in &piece.triangles {
             for k in 0..3 {

@@ -1,15 +1,20 @@
 //! What a run of filling has done, of what it has to do: in new vertices, each of which takes about the same time.
 
+use crate::fairing::Progress;
+
 /// The work of looking at one triangle of the mesh: measured on bowls of 190,000 and 290,000 triangles with a hole of 600 and 720 edges.
 /// Half or double: only the progress changes.
-const PER_TRIANGLE: f64 = 0.06;
+const PER_TRIANGLE: f64 = 0.08;
+/// What of that is finding the loops; the rest is the tree of what patches may intersect.
+/// Half or double: only the progress changes.
+const READ: f64 = 0.5;
 /// The work of one edge of a loop: what is done once for a small loop.
 /// Half or double, of 38 cases: only the progress changes.
 const PER_EDGE: f64 = 2.0;
 
-/// What of a patch's share its first fairing is: few are faired more often.
+/// What of a patch's share its first fairing is: few are faired more often, and for those it is half of the time.
 /// Half or double, of 36 cases: only the progress changes.
-const FIRST: f64 = 0.9;
+const FIRST: f64 = 0.8;
 /// A fraction that falls by more than this begins anew.
 /// Half or double, of 36 cases: none changes.
 const ANEW: f64 = 0.3;
@@ -62,6 +67,16 @@ impl FillProgress {
         }
     }
 
+    /// What is told once the loops are known.
+    pub(super) fn loops_known(&self) -> Progress {
+        Progress {
+            fraction: READ * self.done / self.total,
+            iterations: 0,
+            step: f64::NAN,
+            phase: "setup",
+        }
+    }
+
     /// The fraction that is done, and the share of a patch of so many edges.
     pub(super) fn share(&self, edges: usize) -> (f64, f64) {
         (self.done / self.total, patch(edges, self.density) / self.total)
@@ -105,7 +120,7 @@ mod tests {
         let told: Vec<f64> = [0.0, 0.5, 1.0, 0.1, 0.9, 0.2, 1.0]
             .map(|f| tries.reached(f))
             .to_vec();
-        assert!(told.is_sorted() && told[2] == 0.9, "{told:?}");
-        assert!(told[4] > 0.92 && told[6] > told[4] && told[6] < 1.0, "{told:?}");
+        assert!(told.is_sorted() && told[2] == 0.8, "{told:?}");
+        assert!(told[4] > 0.85 && told[6] > told[4] && told[6] < 1.0, "{told:?}");
     }
 }

@@ -6,7 +6,7 @@
 
 use std::collections::BinaryHeap;
 
-use fairmesh_linear::interrupt::is_stopped;
+use fairmesh_linear::interrupt::{checkpoint, is_stopped};
 use nalgebra::Vector3;
 
 use super::lenses::{Lenses, is_wide};
@@ -183,6 +183,7 @@ impl<'a> Refiner<'a> {
     }
 
     fn finish(&mut self) {
+        checkpoint();
         for _ in (0..SOURCE_SWEEPS).take_while(|_| !is_stopped()) {
             self.sweeps.settle_sources(self.patch);
         }
@@ -232,6 +233,7 @@ impl<'a> Refiner<'a> {
             }
         };
         for h in 0..self.patch.half_edges() {
+            checkpoint();
             if self.is_inner(h) && self.patch.origin(h) < self.patch.target(h) {
                 push(self, &mut queue, h);
             }
@@ -384,6 +386,7 @@ impl<'a> Refiner<'a> {
     }
 
     fn collapse_short(&mut self) {
+        checkpoint();
         for h in 0..self.patch.half_edges() {
             if !self.is_inner(h) {
                 continue;

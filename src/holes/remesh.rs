@@ -5,7 +5,7 @@ use fairmesh_linear::interrupt::is_stopped;
 use super::parents::{Parents, parents};
 use super::patch::Patch;
 use super::refine::{Fineness, Refiner};
-use crate::fairing::{ProgressCallback, unless_stopped};
+use crate::fairing::{ProgressCallback, on_workers_unless_stopped};
 use crate::holes::patch_surface::limit;
 use crate::mesh::coincident::{Coincident, Copies};
 use crate::mesh::{Joined, NONE, RegionMesh, Selection};
@@ -115,7 +115,7 @@ pub fn remesh_region_with_progress(
     options: &RemeshOptions,
     progress: &mut ProgressCallback<'_>,
 ) -> Result<Option<Remeshed>, Error> {
-    unless_stopped(1, progress, "remeshing", |tell| {
+    on_workers_unless_stopped(1, progress, "remeshing", |tell| {
         remesh(positions, triangles, selection, options, tell)
     })
 }

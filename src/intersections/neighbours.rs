@@ -1,6 +1,6 @@
 //! Which triangles lie across each other's edges, told by positions alone.
 
-use fairmesh_linear::interrupt::is_stopped;
+use fairmesh_linear::interrupt::checkpoint;
 
 use super::triangles::Corners;
 
@@ -11,12 +11,16 @@ pub(super) const NONE: u32 = u32::MAX;
 /// Half or double, of 129 cases: none changes.
 const MOST: usize = 16;
 
+/// Triangles after which it is told how far it is: two milliseconds.
+/// Half or double: only the progress changes.
+const TELLING: usize = 8192;
+
 /// For the edges of each triangle, from its corner k to the next one, a triangle that has the same edge the other way round.
 /// Each edge is paired once: where more than two triangles meet in one, the others have none. Coordinates have no negative zeros.
-/// `breaks_off`: where the run is stopped some have none.
+/// Tells how far it is, from 0 to 1.
 pub(super) fn neighbours<'t>(
     triangles: impl ExactSizeIterator<Item = &'t Corners> + Clone,
-    breaks_off: bool,
+    tell: &mut dyn FnMut(f64),
 ) -> Vec<[u32; 3]> {
     let count = 3 * triangles.len();
     let edges: Vec<[&[f64; 3]; 2]> = triangles
@@ -29,8 +33,9 @@ pub(super) fn neighbours<'t>(
     let mut before = vec![NONE; count];
     let mut across = vec![[NONE; 3]; triangles.len()];
     for (t, corners) in triangles.enumerate() {
-        if breaks_off && is_stopped() {
-            break;
+        checkpoint();
+        if t.is_multiple_of(TELLING) {
+            tell(3.0 * t as f64 / count as f64);
         }
         let hashes = corners.each_ref().map(hash);
         for k in 0..3 {

@@ -6,7 +6,6 @@ use super::neighbours::neighbours;
 use super::tree::{Content, Tree};
 use super::triangles::{PROJECTIONS, facing};
 use fairmesh_linear::dispatch::vectorized;
-use fairmesh_linear::interrupt::is_stopped;
 use fairmesh_linear::parallel;
 
 /// Pairs of nodes that a thread takes at once.
@@ -15,11 +14,12 @@ const CHUNK: usize = 64;
 /// The search is done in so many parts, between which it can be stopped.
 /// Half or double: none changes.
 const PARTS: usize = 64;
-/// The fractions of the progress at which the triangles are gathered, the tree is made, neighbours are found, and the search begins: shares of the
+/// The fractions of the progress at which the triangles are gathered, put in order, the tree is made, neighbours are found, and the search begins: shares of the
 /// time, measured on a sheet of 980,000 triangles.
 /// Half or double: only the progress changes.
-const MEMBERS: f64 = 0.17;
-const TREE: f64 = 0.5;
+const MEMBERS: f64 = 0.2;
+const ORDERED: f64 = 0.5;
+const TREE: f64 = 0.75;
 const NEIGHBOURS: f64 = 0.95;
 const SEARCHED: f64 = 0.96;
 
@@ -44,7 +44,7 @@ pub(crate) fn of_some(
     asked: &[u32],
     most: usize,
 ) -> Vec<[u32; 2]> {
-    told_of_some(positions, triangles, asked, most, None)
+    told_of_some(positions, triangles, asked, most, &mut |_| ())
 }
 
 /// The same; see [`told_pairs`].
@@ -53,7 +53,7 @@ pub(crate) fn told_of_some(
     triangles: &[[u32; 3]],
     asked: &[u32],
     most: usize,
-    tell: Option<&mut dyn FnMut(f64)>,
+    tell: &mut dyn FnMut(f64),
 ) -> Vec<[u32; 2]> {
     let mut is_asked = vec![false; triangles.len()];
     asked.iter().for_each(|&t| is_asked[t as usize] = true);
@@ -99,7 +99,7 @@ fn sides(p: &[f64; 3], bounds: &Bounds) -> u8 {
 pub(crate) fn of_all(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
-    tell: Option<&mut dyn FnMut(f64)>,
+    tell: &mut dyn FnMut(f64),
 ) -> Vec<[u32; 2]> {
     let mut members = members_near(positions, triangles, |_| true);
     members.iter_mut().for_each(|member| member.is_asked = true);
@@ -108,22 +108,12 @@ pub(crate) fn of_all(
 
 /// The same of any triangles with different numbers.
 pub(crate) fn pairs(members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
-    told_pairs(members, most, None)
+    told_pairs(members, most, &mut |_| ())
 }
 
-/// The same, which tells how far it is, from 0 to 1. One that tells has no result if the run is stopped.
-fn told_pairs(mut members: Vec<Member>, most: usize, mut tell: Option<&mut dyn FnMut(f64)>) -> Vec<[u32; 2]> {
-    let is_told = tell.is_some();
-    let mut goes_on = |fraction: f64| match &mut tell {
-        Some(tell) => {
-            tell(fraction);
-            !is_stopped()
-        }
-        None => true,
-    };
-    if !goes_on(MEMBERS) {
-        return Vec::new();
-    }
+/// The same, which tells how far it is, from 0 to 1.
+fn told_pairs(mut members: Vec<Member>, most: usize, tell: &mut dyn FnMut(f64)) -> Vec<[u32; 2]> {
+    tell(MEMBERS);
     let unit = unit(&members);
     parallel::for_each(members.chunks_mut(parallel::RUN), |_, run| {
         for member in run {
@@ -137,20 +127,16 @@ fn told_pairs(mut members: Vec<Member>, most: usize, mut tell: Option<&mut dyn F
         }
     });
     members.retain(|member| member.facing != 0);
-    let tree = Tree::new(&mut members, is_told);
-    if !goes_on(TREE) {
-        return Vec::new();
-    }
+    let tree = Tree::new(&mut members, || tell(ORDERED));
+    let corners = members.iter().map(|member| &member.corners);
+    let across = neighbours(corners, &mut |part| tell(TREE + (NEIGHBOURS - TREE) * part));
     let search = PairSearch {
-        across: neighbours(members.iter().map(|member| &member.corners), is_told),
+        across,
         members,
         tree,
     };
-    let tasks = if goes_on(NEIGHBOURS) {
-        search.tasks()
-    } else {
-        return Vec::new();
-    };
+    tell(NEIGHBOURS);
+    let tasks = search.tasks();
     let mut pairs = Vec::new();
     let parts = tasks.chunks(CHUNK * tasks.len().div_ceil(CHUNK * PARTS).max(1));
     for (k, part) in parts.enumerate() {
@@ -161,9 +147,7 @@ fn told_pairs(mut members: Vec<Member>, most: usize, mut tell: Option<&mut dyn F
             )
         });
         pairs.extend(found.concat());
-        if !goes_on(SEARCHED + (1.0 - SEARCHED) * (k + 1) as f64 / PARTS as f64) {
-            return Vec::new();
-        }
+        tell(SEARCHED + (1.0 - SEARCHED) * (k + 1) as f64 / PARTS as f64);
     }
     pairs.sort_unstable();
     pairs.truncate(most);

@@ -161,7 +161,7 @@ fn the_tree_finds_what_all_pairs_have() {
         }
     }
     assert_above!(expected.len(), 1_000);
-    assert_eq!(of_all(&x, &triangles, None), expected);
+    assert_eq!(of_all(&x, &triangles, &mut |_| ()), expected);
     let asked: Vec<u32> = (0..1_500).step_by(7).rev().collect();
     let has_asked = |pair: &&[u32; 2]| pair.iter().any(|t| t % 7 == 0);
     let part: Vec<[u32; 2]> = expected.iter().filter(has_asked).copied().collect();
@@ -174,10 +174,10 @@ fn the_tree_finds_what_all_pairs_have() {
 #[test]
 fn units_do_not_matter() {
     let (x, triangles) = soup(300, 1.0);
-    let expected = of_all(&x, &triangles, None);
+    let expected = of_all(&x, &triangles, &mut |_| ());
     for exponent in [-1_000, -500, -20, 20, 500, 1_000] {
         let scaled = soup(300, 2.0_f64.powi(exponent)).0;
-        assert_eq!(of_all(&scaled, &triangles, None), expected, "2^{exponent}");
+        assert_eq!(of_all(&scaled, &triangles, &mut |_| ()), expected, "2^{exponent}");
     }
 }
 
@@ -194,7 +194,7 @@ fn what_is_not_finite_or_has_no_area_takes_no_part() {
         [2.0, 1.0, 1.0],
     ];
     let triangles = [[0, 1, 2], [3, 4, 5], [3, 4, 6], [3, 4, 7]];
-    assert_eq!(of_all(&x, &triangles, None), [[0, 3]]);
+    assert_eq!(of_all(&x, &triangles, &mut |_| ()), [[0, 3]]);
 }
 
 type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
@@ -251,7 +251,7 @@ proptest! {
         let mut kept = 0;
         triangles.retain(|_| { kept += 1; leave_out == 0 || numbers[kept % numbers.len()] > 6 * leave_out as i32 });
         let mesh = (x, triangles);
-        prop_assert_eq!(of_all(&mesh.0, &mesh.1, None), all_pairs(&mesh));
+        prop_assert_eq!(of_all(&mesh.0, &mesh.1, &mut |_| ()), all_pairs(&mesh));
     }
 }
 
@@ -259,7 +259,7 @@ proptest! {
 fn is_a_height_field(mesh: &Mesh) -> bool {
     let corners = corners(mesh);
     let shown = corners.iter().fold(u8::MAX, |all, t| all & facing(t));
-    let across = neighbours(corners.iter(), false);
+    let across = neighbours(corners.iter(), &mut |_| ());
     (0..3).any(|axes| {
         shown >> (2 * axes) & 3 != 0
             && is_height_field(PROJECTIONS[axes], |t| &corners[t], &across, 0..corners.len())

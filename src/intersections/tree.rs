@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use fairmesh_linear::interrupt::is_stopped;
+use fairmesh_linear::interrupt::checkpoint;
 use fairmesh_linear::parallel;
 use rayon::prelude::*;
 use rstar::Envelope;
@@ -41,30 +41,27 @@ pub(super) struct Tree {
 }
 
 impl Tree {
-    /// Puts the members in order. `breaks_off`: where the run is stopped the tree is not whole.
-    pub(super) fn new(members: &mut Vec<Member>, breaks_off: bool) -> Self {
+    /// Puts the members in order, and tells when that is done.
+    pub(super) fn new(members: &mut Vec<Member>, ordered: impl FnOnce()) -> Self {
         let mut places = places(members);
         places.par_sort_unstable();
         *members = places.iter().map(|&(_, m)| members[m as usize].clone()).collect();
+        ordered();
         let mut tree = Self {
             nodes: Vec::with_capacity(members.len()),
             groups: Vec::with_capacity(members.len() / 2),
         };
-        let is_whole = tree.divide(members, &places, breaks_off);
-        if is_whole {
-            tree.enclose();
-        }
+        tree.divide(members, &places);
+        tree.enclose();
         tree
     }
 
-    /// Makes the nodes, each before what is in it. False if it was broken off.
-    fn divide(&mut self, members: &[Member], places: &[(u64, u32)], breaks_off: bool) -> bool {
+    /// Makes the nodes, each before what is in it.
+    fn divide(&mut self, members: &[Member], places: &[(u64, u32)]) {
         // Runs that are left, each with the node that it is the second half of.
         let mut left = vec![(0..members.len(), None)];
         while let Some((run, parent)) = left.pop() {
-            if breaks_off && is_stopped() {
-                return false;
-            }
+            checkpoint();
             let own = self.nodes.len();
             if let Some(parent) = parent {
                 let parent: &mut Node = &mut self.nodes[parent];
@@ -93,7 +90,6 @@ impl Tree {
                 });
             }
         }
-        true
     }
 
     /// Gives each node what its halves have.

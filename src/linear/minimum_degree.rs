@@ -5,6 +5,7 @@
 //! absorbed by it.
 
 use super::elimination::NONE;
+use super::interrupt::checkpoint;
 use super::sparse::SymmetricPattern;
 
 /// A row with more than this times the square root of the number of rows is ordered last.
@@ -15,6 +16,7 @@ const DENSE: f64 = 10.0;
 pub fn amd(pattern: &SymmetricPattern) -> Vec<u32> {
     let (mut graph, dense) = QuotientGraph::new(pattern);
     while graph.left > 0 {
+        checkpoint();
         let pivot = graph.queue.pop();
         graph.eliminate(pivot);
     }

@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 
+use super::interrupt::checkpoint;
 pub use super::minimum_degree::amd;
 use super::parallel;
 use super::sparse::{Adjacency, SymmetricPattern};
@@ -148,6 +149,7 @@ impl Dissection<'_> {
         let mut parts = Vec::new();
         parts.push(0..order.len());
         while let Some(part) = parts.pop() {
+            checkpoint();
             let begin = part.start;
             let halves = if part.len() > self.leaf {
                 split.bisect(&mut order[part.clone()])

@@ -7,10 +7,13 @@ use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
+use crate::interrupt::checkpoint;
+
 /// `work(k, item)` for every item, the `k`-th of them.
 pub fn for_each<T: Send>(items: impl Iterator<Item = T>, work: impl Fn(usize, T) + Sync) {
     let items: Vec<Mutex<Option<T>>> = items.map(|item| Mutex::new(Some(item))).collect();
     each(items.len(), &|k| {
+        checkpoint();
         let item = items[k].lock().unwrap_or_else(PoisonError::into_inner).take();
         if let Some(item) = item {
             work(k, item);

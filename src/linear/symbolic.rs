@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::elimination::{Graph, NONE, children, column_counts, elimination_tree, postorder};
+use super::interrupt::checkpoint;
 use super::sparse::SymmetricPattern;
 use super::supernodes::{Layout, Supernodes};
 use super::tile::LANES;
@@ -206,6 +207,7 @@ impl Symbolic {
         self.entry_value.reserve_exact(self.input);
         self.entry_target.reserve_exact(self.input);
         for s in 0..ns {
+            checkpoint();
             let columns = self.columns(s);
             let end = columns.end as u32;
             let begin = self.rows.len();

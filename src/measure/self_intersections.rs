@@ -1,6 +1,6 @@
 //! Intersecting triangles of a mesh, as users call it.
 
-use crate::fairing::{ProgressCallback, Workers, unless_stopped};
+use crate::fairing::{ProgressCallback, Workers, on_workers_unless_stopped};
 use crate::intersections;
 use crate::mesh::input;
 use crate::support::error::Error;
@@ -36,7 +36,7 @@ pub fn self_intersections(
     among: Option<&[u32]>,
 ) -> Result<Vec<[u32; 2]>, Error> {
     // Not on the global pool, whose threads would outlive a library that is unloaded.
-    Workers::new(0)?.install(|| found(positions, triangles, among, None))
+    Workers::new(0)?.install(|| found(positions, triangles, among, &mut |_| ()))
 }
 
 /// [`self_intersections`], which calls `progress` on the calling thread, as [`fair_with_progress`](crate::fair_with_progress) does.
@@ -50,8 +50,8 @@ pub fn self_intersections_with_progress(
     among: Option<&[u32]>,
     progress: &mut ProgressCallback<'_>,
 ) -> Result<Option<Vec<[u32; 2]>>, Error> {
-    unless_stopped(0, progress, "intersections", |tell| {
-        found(positions, triangles, among, Some(tell))
+    on_workers_unless_stopped(0, progress, "intersections", |tell| {
+        found(positions, triangles, among, tell)
     })
 }
 
@@ -59,7 +59,7 @@ fn found(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
     among: Option<&[u32]>,
-    tell: Option<&mut dyn FnMut(f64)>,
+    tell: &mut dyn FnMut(f64),
 ) -> Result<Vec<[u32; 2]>, Error> {
     input::check(positions.len(), triangles)?;
     input::check_finite(positions, triangles)?;

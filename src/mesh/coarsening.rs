@@ -5,6 +5,8 @@
 //! angles grow by as much each, to a full turn), the new edges get their lengths there, and the vertex keeps its mean value
 //! coordinates (M. Floater, "Mean value coordinates", CAGD 20, 2003) in the ring that it leaves. They bring it back.
 
+use fairmesh_linear::interrupt::checkpoint;
+
 use super::disk::{Disk, half_tangent, is_fit};
 use super::editable::EditableMesh;
 use super::halfedge::NONE;
@@ -183,6 +185,7 @@ impl Decimation {
 
     /// Removes `u` along the edge no longer than `limit` whose collapse leaves the roundest triangles. Returns whether there is one.
     fn remove(&mut self, u: u32, limit: f64) -> bool {
+        checkpoint();
         let (disk, coarsening) = (&mut self.disk, &mut self.coarsening);
         let mesh = &coarsening.mesh;
         if !disk.gather(mesh, &coarsening.lengths, u, limit) || !disk.lay_flat() {

@@ -6,7 +6,7 @@ use super::bump::{self, Bump};
 use super::neighbours::Neighbours;
 use super::seed::{Foot, Seed};
 use super::{geodesic, spread};
-use crate::fairing::{ProgressCallback, Workers, unless_stopped};
+use crate::fairing::{ProgressCallback, Workers, on_workers_unless_stopped};
 use crate::holes::Place;
 use crate::mesh::coincident::Coincident;
 use crate::mesh::{Joined, input};
@@ -137,7 +137,7 @@ pub fn select_region_with_progress(
     coincident: Coincident,
     progress: &mut ProgressCallback<'_>,
 ) -> Result<Option<SelectedRegion>, Error> {
-    unless_stopped(0, progress, "region", |tell| {
+    on_workers_unless_stopped(0, progress, "region", |tell| {
         select(positions, triangles, steps, coincident, tell)
     })
 }

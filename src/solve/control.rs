@@ -11,10 +11,10 @@ pub(crate) type Callback<'a> = dyn FnMut(f64, usize, f64, &'static str) -> Contr
 pub(super) const ANALYSED: f64 = 0.2;
 /// The fraction at which the coarse mesh has led to a start.
 /// Half or double, of 10 cases: only the progress changes.
-pub(super) const SEARCHED: f64 = 0.4;
-/// The fraction at which the first iteration begins at the latest.
+pub(super) const SEARCHED: f64 = 0.45;
+/// The fraction at which the first iteration begins.
 /// Half or double, of 125 cases: only the progress changes.
-pub(super) const STARTED: f64 = 0.5;
+pub(super) const STARTED: f64 = 0.6;
 /// The fraction at which the first attempt has its surface, and the checks begin.
 /// Half or double, of 125 cases: only the progress changes.
 pub(super) const ITERATED: f64 = 0.9;
@@ -134,9 +134,9 @@ impl<'a> Control<'a> {
     /// An attempt begins. The first one is likely to be the last; each further one is given half of what is left.
     pub(crate) fn begin_attempt(&mut self) {
         let from = self.tally.fraction;
-        let to = match self.tally.attempt {
-            None => ITERATED.max(from),
-            Some(_) => (from + LAST) / 2.0,
+        let (from, to) = match self.tally.attempt {
+            None => (STARTED.max(from), ITERATED.max(from)),
+            Some(_) => (from, (from + LAST) / 2.0),
         };
         self.tally.attempt = Some(ProgressSpan {
             from,

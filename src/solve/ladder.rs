@@ -4,6 +4,7 @@
 mod coarse_search;
 mod starts;
 
+use fairmesh_linear::interrupt::unless_stopped;
 use nalgebra::Vector3;
 
 use super::attempt::{Kept, LADDER, MeshLevel, Rung, Start};
@@ -160,7 +161,9 @@ impl Ladder {
             return Ok(problem.unmoved());
         }
         let clock = Stopwatch::start();
-        let mut system = System::new(problem);
+        let Some(mut system) = unless_stopped(|| System::new(problem)) else {
+            return Ok(problem.unmoved());
+        };
         let analysis_seconds = clock.seconds();
         control.phase(ANALYSED, initial::PHASE);
         Ok(match self.run(&mut system, control)? {

@@ -99,7 +99,7 @@ fn cancelling_at_any_call() {
     assert!(last > 15, "{last} calls");
 }
 
-/// The fraction follows the work: the start surface is worth as much as the iterations, none of which is worth a third of the run.
+/// The fraction follows the work: the start surface takes more of it than the iterations, none of which is worth a third of the run.
 #[test]
 fn progress_moves_evenly_over_its_phases() {
     for (n, seed) in [(1_000, 1), (13_000, 2)] {
@@ -111,7 +111,7 @@ fn progress_moves_evenly_over_its_phases() {
             assert!(phases.contains(&phase), "{phase}");
         }
         let before = told.iter().rfind(|p| p.iterations == 0).unwrap();
-        assert!((0.4..0.6).contains(&before.fraction), "{}", before.fraction);
+        assert!((0.5..0.7).contains(&before.fraction), "{}", before.fraction);
         assert!(told[0].fraction < 0.15, "{}", told[0].fraction);
         assert_above!(told.last().unwrap().fraction, 0.85);
         // What is told between iterations has the step norm of the last one.

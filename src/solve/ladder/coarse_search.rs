@@ -1,5 +1,7 @@
 //! The search on the coarse mesh: a solve of its own, whose surface is where the one on the fine mesh begins.
 
+use fairmesh_linear::interrupt::unless_stopped;
+
 use super::Ladder;
 use crate::solve::attempt::COARSE;
 use crate::solve::coarse::CoarseLevel;
@@ -36,7 +38,7 @@ impl Ladder {
 /// What the coarse mesh has led to, and what was tried there.
 fn searched(system: &System, control: &mut Control<'_>) -> (CoarseResult, Vec<Trial>) {
     let fine = system.problem();
-    let Some(level) = CoarseLevel::new(&fine) else {
+    let Some(level) = unless_stopped(|| CoarseLevel::new(&fine)).flatten() else {
         return (CoarseResult::NoCoarseMesh, Vec::new());
     };
     let solved = control.within((PHASE, SEARCHED), COARSE, ITERATIONS, |control| {
