@@ -12,6 +12,9 @@ pub(super) const ANALYSED: f64 = 0.2;
 /// The fraction at which the coarse mesh has led to a start.
 /// Half or double, of 10 cases: only the progress changes.
 pub(super) const SEARCHED: f64 = 0.45;
+/// The fraction at which there is a linear surface, without a coarse mesh.
+/// Half or double: only the progress changes.
+pub(super) const LINEAR: f64 = 0.45;
 /// The fraction at which the first iteration begins.
 /// Half or double, of 125 cases: only the progress changes.
 pub(super) const STARTED: f64 = 0.6;
@@ -138,6 +141,7 @@ impl<'a> Control<'a> {
             None => (STARTED.max(from), ITERATED.max(from)),
             Some(_) => (from, (from + LAST) / 2.0),
         };
+        self.tally.fraction = from;
         self.tally.attempt = Some(ProgressSpan {
             from,
             to,

@@ -5,7 +5,7 @@
 use nalgebra::Vector3;
 
 use super::bilaplacian::conormal_flux;
-use super::control::Control;
+use super::control::{Control, LINEAR};
 use super::domain::Domain;
 use super::factor::Collapsed;
 use super::formulation::Formulation;
@@ -44,6 +44,7 @@ impl System {
     ) -> Result<Vec<Vector3<f64>>, Collapsed> {
         let mut x = self.linear_surface(formulation, control)?;
         self.diagonal = diagonal(&x);
+        control.phase(LINEAR, PHASE);
         self.tangential_steps(&mut x, formulation, control);
         Ok(x)
     }
