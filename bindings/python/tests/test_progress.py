@@ -44,6 +44,8 @@ WITHOUT_RESULT = {
     "remesh": lambda **how: fairmesh.remesh(VERTICES, FACES, FREE, **how),
     "self_intersections": lambda **how: fairmesh.self_intersections(VERTICES, FACES, **how),
     "carry_over": lambda **how: fairmesh.carry_over(VERTICES, FACES, VERTICES, **how),
+    "select_geodesic": lambda **how: fairmesh.select_geodesic(VERTICES, FACES, 0, 1.0, **how),
+    "grow": lambda **how: fairmesh.grow(VERTICES, FACES, [0], 2, **how),
 }
 
 

@@ -96,6 +96,10 @@ class _Run(MeshKeywords, WatchKeywords, total=False):
     pass
 
 
+class SelectKeywords(_Run, total=False):
+    """Those of functions that choose faces."""
+
+
 class FairKeywords(_Region, _Run, FairingOptions, total=False):
     """Those of `fair` and `Solver`."""
 

@@ -10,13 +10,13 @@ from numpy.typing import ArrayLike, NDArray
 from . import _abi, _arrays
 from ._calls import of_mesh
 from ._hosts import MeshLike
+from ._keywords import SelectKeywords
 from ._options import real, whole
 from ._runs import watched
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._keywords import MeshKeywords
 
 _kinds = _abi.fairmesh_region_kind
 #: A mask of faces.
@@ -24,177 +24,192 @@ Mask = NDArray[np.bool_]
 
 
 @overload
-def select_ball(mesh: MeshLike, /, centre: ArrayLike, radius: float, **keywords: Unpack[MeshKeywords]) -> Mask: ...
+def select_ball(mesh: MeshLike, /, centre: ArrayLike, radius: float, **keywords: Unpack[SelectKeywords]) -> Mask: ...
 @overload
 def select_ball(
-    vertices: ArrayLike, faces: ArrayLike, centre: ArrayLike, radius: float, **keywords: Unpack[MeshKeywords]
+    vertices: ArrayLike, faces: ArrayLike, centre: ArrayLike, radius: float, **keywords: Unpack[SelectKeywords]
 ) -> Mask: ...
-@of_mesh()
-def select_ball(mesh: _arrays.Mesh, centre: ArrayLike, radius: float) -> Mask:
+@of_mesh(SelectKeywords)
+def select_ball(mesh: _arrays.Mesh, centre: ArrayLike, radius: float, **keywords: Unpack[SelectKeywords]) -> Mask:
     """Faces that lie in a ball with all corners, as a mask (m,).
 
     Args:
         mesh, coincident: As in `fair`.
         centre: x, y, z.
         radius: Its radius.
+        progress, cancel: As in `fair`.
 
     """
     step = _step(_kinds.BALL, point=_arrays.point(centre, "centre"), value=real(radius, "radius"))
-    return _chosen(mesh, step)
+    return _chosen(keywords, mesh, step)
 
 
 @overload
-def select_box(mesh: MeshLike, /, low: ArrayLike, high: ArrayLike, **keywords: Unpack[MeshKeywords]) -> Mask: ...
+def select_box(mesh: MeshLike, /, low: ArrayLike, high: ArrayLike, **keywords: Unpack[SelectKeywords]) -> Mask: ...
 @overload
 def select_box(
-    vertices: ArrayLike, faces: ArrayLike, low: ArrayLike, high: ArrayLike, **keywords: Unpack[MeshKeywords]
+    vertices: ArrayLike, faces: ArrayLike, low: ArrayLike, high: ArrayLike, **keywords: Unpack[SelectKeywords]
 ) -> Mask: ...
-@of_mesh()
-def select_box(mesh: _arrays.Mesh, low: ArrayLike, high: ArrayLike) -> Mask:
+@of_mesh(SelectKeywords)
+def select_box(mesh: _arrays.Mesh, low: ArrayLike, high: ArrayLike, **keywords: Unpack[SelectKeywords]) -> Mask:
     """Faces that lie in a box with all corners, as a mask (m,).
 
     Args:
         mesh, coincident: As in `fair`.
         low, high: Its smallest and its largest coordinates.
+        progress, cancel: As in `fair`.
 
     """
     step = _step(_kinds.BOX, point=_arrays.point(low, "low"), vector=_arrays.point(high, "high"))
-    return _chosen(mesh, step)
+    return _chosen(keywords, mesh, step)
 
 
 @overload
 def select_halfspace(
-    mesh: MeshLike, /, point: ArrayLike, normal: ArrayLike, **keywords: Unpack[MeshKeywords]
+    mesh: MeshLike, /, point: ArrayLike, normal: ArrayLike, **keywords: Unpack[SelectKeywords]
 ) -> Mask: ...
 @overload
 def select_halfspace(
-    vertices: ArrayLike, faces: ArrayLike, point: ArrayLike, normal: ArrayLike, **keywords: Unpack[MeshKeywords]
+    vertices: ArrayLike, faces: ArrayLike, point: ArrayLike, normal: ArrayLike, **keywords: Unpack[SelectKeywords]
 ) -> Mask: ...
-@of_mesh()
-def select_halfspace(mesh: _arrays.Mesh, point: ArrayLike, normal: ArrayLike) -> Mask:
+@of_mesh(SelectKeywords)
+def select_halfspace(
+    mesh: _arrays.Mesh, point: ArrayLike, normal: ArrayLike, **keywords: Unpack[SelectKeywords]
+) -> Mask:
     """Faces on one side of a plane with all corners, as a mask (m,).
 
     Args:
         mesh, coincident: As in `fair`.
         point: A point of the plane.
         normal: Points to the side, of any length but zero.
+        progress, cancel: As in `fair`.
 
     """
     step = _step(_kinds.HALF_SPACE, point=_arrays.point(point, "point"), vector=_arrays.point(normal, "normal"))
-    return _chosen(mesh, step)
+    return _chosen(keywords, mesh, step)
 
 
 @overload
-def select_geodesic(mesh: MeshLike, /, seed: ArrayLike, radius: float, **keywords: Unpack[MeshKeywords]) -> Mask: ...
+def select_geodesic(mesh: MeshLike, /, seed: ArrayLike, radius: float, **keywords: Unpack[SelectKeywords]) -> Mask: ...
 @overload
 def select_geodesic(
-    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike, radius: float, **keywords: Unpack[MeshKeywords]
+    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike, radius: float, **keywords: Unpack[SelectKeywords]
 ) -> Mask: ...
-@of_mesh()
-def select_geodesic(mesh: _arrays.Mesh, seed: ArrayLike, radius: float) -> Mask:
+@of_mesh(SelectKeywords)
+def select_geodesic(mesh: _arrays.Mesh, seed: ArrayLike, radius: float, **keywords: Unpack[SelectKeywords]) -> Mask:
     """Faces all of whose corners are no further from a place than this along the surface, as a mask (m,).
 
     Args:
         mesh, coincident: As in `fair`.
         seed: A vertex by its number, or x, y, z: the point of the surface that is nearest.
         radius: The largest distance.
+        progress, cancel: As in `fair`.
 
     """
-    return _chosen(mesh, _seeded(_kinds.GEODESIC, seed, real(radius, "radius")))
+    return _chosen(keywords, mesh, _seeded(_kinds.GEODESIC, seed, real(radius, "radius")))
 
 
 @overload
-def select_component(mesh: MeshLike, /, seed: ArrayLike, **keywords: Unpack[MeshKeywords]) -> Mask: ...
+def select_component(mesh: MeshLike, /, seed: ArrayLike, **keywords: Unpack[SelectKeywords]) -> Mask: ...
 @overload
 def select_component(
-    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike, **keywords: Unpack[MeshKeywords]
+    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike, **keywords: Unpack[SelectKeywords]
 ) -> Mask: ...
-@of_mesh()
-def select_component(mesh: _arrays.Mesh, seed: ArrayLike) -> Mask:
+@of_mesh(SelectKeywords)
+def select_component(mesh: _arrays.Mesh, seed: ArrayLike, **keywords: Unpack[SelectKeywords]) -> Mask:
     """Faces that hang together with a place by edges, as a mask (m,).
 
     Args:
         mesh, coincident: As in `fair`.
         seed: A vertex by its number, or x, y, z: the point of the surface that is nearest.
+        progress, cancel: As in `fair`.
 
     """
-    return _chosen(mesh, _seeded(_kinds.COMPONENT, seed))
+    return _chosen(keywords, mesh, _seeded(_kinds.COMPONENT, seed))
 
 
-@overload
-def select_patch(mesh: MeshLike, /, seed: ArrayLike, angle: float = ..., **keywords: Unpack[MeshKeywords]) -> Mask: ...
 @overload
 def select_patch(
-    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike, angle: float = ..., **keywords: Unpack[MeshKeywords]
+    mesh: MeshLike, /, seed: ArrayLike, angle: float = ..., **keywords: Unpack[SelectKeywords]
 ) -> Mask: ...
-@of_mesh()
-def select_patch(mesh: _arrays.Mesh, seed: ArrayLike, angle: float = 30.0) -> Mask:
+@overload
+def select_patch(
+    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike, angle: float = ..., **keywords: Unpack[SelectKeywords]
+) -> Mask: ...
+@of_mesh(SelectKeywords)
+def select_patch(mesh: _arrays.Mesh, seed: ArrayLike, angle: float = 30.0, **keywords: Unpack[SelectKeywords]) -> Mask:
     """Faces around a place up to edges at which the surface bends by more than an angle, as a mask (m,).
 
     Args:
         mesh, coincident: As in `fair`.
         seed: A vertex by its number, or x, y, z: the point of the surface that is nearest.
         angle: In degrees, from 0 to 180. Default 30.
+        progress, cancel: As in `fair`.
 
     """
-    return _chosen(mesh, _seeded(_kinds.PATCH, seed, real(angle, "angle")))
+    return _chosen(keywords, mesh, _seeded(_kinds.PATCH, seed, real(angle, "angle")))
 
 
 @overload
-def select_bump(mesh: MeshLike, /, seed: ArrayLike, **keywords: Unpack[MeshKeywords]) -> Mask: ...
+def select_bump(mesh: MeshLike, /, seed: ArrayLike, **keywords: Unpack[SelectKeywords]) -> Mask: ...
 @overload
-def select_bump(vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike, **keywords: Unpack[MeshKeywords]) -> Mask: ...
-@of_mesh()
-def select_bump(mesh: _arrays.Mesh, seed: ArrayLike) -> Mask:
+def select_bump(vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike, **keywords: Unpack[SelectKeywords]) -> Mask: ...
+@of_mesh(SelectKeywords)
+def select_bump(mesh: _arrays.Mesh, seed: ArrayLike, **keywords: Unpack[SelectKeywords]) -> Mask:
     """The bump or dent at a place: where the mean curvature departs from that of the surroundings, as a mask (m,).
 
     Args:
         mesh, coincident: As in `fair`.
         seed: A vertex by its number, or x, y, z: the point of the surface that is nearest.
+        progress, cancel: As in `fair`.
 
     Raises:
         InputError: The curvature does not tell where a bump ends (`Status.NO_BUMP`).
 
     """
-    return _chosen(mesh, _seeded(_kinds.BUMP, seed))
+    return _chosen(keywords, mesh, _seeded(_kinds.BUMP, seed))
 
 
 @overload
-def grow(mesh: MeshLike, /, region: ArrayLike | str, rings: int = ..., **keywords: Unpack[MeshKeywords]) -> Mask: ...
+def grow(mesh: MeshLike, /, region: ArrayLike | str, rings: int = ..., **keywords: Unpack[SelectKeywords]) -> Mask: ...
 @overload
 def grow(
-    vertices: ArrayLike, faces: ArrayLike, region: ArrayLike, rings: int = ..., **keywords: Unpack[MeshKeywords]
+    vertices: ArrayLike, faces: ArrayLike, region: ArrayLike, rings: int = ..., **keywords: Unpack[SelectKeywords]
 ) -> Mask: ...
-@of_mesh()
-def grow(mesh: _arrays.Mesh, region: ArrayLike | str, rings: int = 1) -> Mask:
+@of_mesh(SelectKeywords)
+def grow(mesh: _arrays.Mesh, region: ArrayLike | str, rings: int = 1, **keywords: Unpack[SelectKeywords]) -> Mask:
     """A region with the faces that have a vertex in common with it, as a mask (m,).
 
     Args:
         mesh, coincident: As in `fair`.
         region: A mask (m,) or indices of faces, or the name of a mask that the mesh has at its faces.
         rings: So often. Default 1.
+        progress, cancel: As in `fair`.
 
     """
-    return _spread(mesh, region, _step(_kinds.GROW, rings=whole(rings, "rings")))
+    return _spread(keywords, mesh, region, _step(_kinds.GROW, rings=whole(rings, "rings")))
 
 
-@overload
-def shrink(mesh: MeshLike, /, region: ArrayLike | str, rings: int = ..., **keywords: Unpack[MeshKeywords]) -> Mask: ...
 @overload
 def shrink(
-    vertices: ArrayLike, faces: ArrayLike, region: ArrayLike, rings: int = ..., **keywords: Unpack[MeshKeywords]
+    mesh: MeshLike, /, region: ArrayLike | str, rings: int = ..., **keywords: Unpack[SelectKeywords]
 ) -> Mask: ...
-@of_mesh()
-def shrink(mesh: _arrays.Mesh, region: ArrayLike | str, rings: int = 1) -> Mask:
+@overload
+def shrink(
+    vertices: ArrayLike, faces: ArrayLike, region: ArrayLike, rings: int = ..., **keywords: Unpack[SelectKeywords]
+) -> Mask: ...
+@of_mesh(SelectKeywords)
+def shrink(mesh: _arrays.Mesh, region: ArrayLike | str, rings: int = 1, **keywords: Unpack[SelectKeywords]) -> Mask:
     """A region without the faces that have a vertex in common with the rest, as a mask (m,).
 
     Args:
         mesh, coincident: As in `fair`.
         region: A mask (m,) or indices of faces, or the name of a mask that the mesh has at its faces.
         rings: So often. Default 1.
+        progress, cancel: As in `fair`.
 
     """
-    return _spread(mesh, region, _step(_kinds.SHRINK, rings=whole(rings, "rings")))
+    return _spread(keywords, mesh, region, _step(_kinds.SHRINK, rings=whole(rings, "rings")))
 
 
 def _step(
@@ -218,17 +233,17 @@ def _seeded(kind: _abi.fairmesh_region_kind, seed: ArrayLike, value: float = 0.0
     return made
 
 
-def _spread(mesh: _arrays.Mesh, region: Any, step: _abi.fairmesh_region_step) -> Mask:
+def _spread(keywords: SelectKeywords, mesh: _arrays.Mesh, region: Any, step: _abi.fairmesh_region_step) -> Mask:
     listed = _arrays.chosen_faces(mesh, region, "region")
     first = _step(_kinds.TRIANGLES)
     first.list = _arrays.indices_view(listed)
-    return _chosen(mesh, first, step)
+    return _chosen(keywords, mesh, first, step)
 
 
-def _chosen(mesh: _arrays.Mesh, *steps: _abi.fairmesh_region_step) -> Mask:
+def _chosen(keywords: SelectKeywords, mesh: _arrays.Mesh, *steps: _abi.fairmesh_region_step) -> Mask:
     """What the steps choose, as a mask."""
     asked = (_abi.fairmesh_region_step * len(steps))(*steps)
-    handle = watched({}, "fairmesh_select_region", mesh.struct, asked, len(steps))
+    handle = watched(keywords, "fairmesh_select_region", mesh.struct, asked, len(steps))
     made = np.zeros(len(mesh.faces), np.bool_)
     made[handle.list(_abi.fairmesh_list.REGION_TRIANGLES)] = True
     return made
