@@ -1,14 +1,16 @@
 /** The library in a worker: the same calls, as promises. */
 
 import type { Progress } from "./abi.js";
-import type { Indices, Mesh, Out, Selection } from "./arrays.js";
+import type { Indices, Mesh, Out, Points, Selection } from "./arrays.js";
 import { compile, type CompiledModule, type Source } from "./compile.js";
 import { received, type SentError, TrapError } from "./errors.js";
-import type { RefillOptions, RemeshResult } from "./erase.js";
+import type { Carried, RefillOptions, RemeshOptions, RemeshResult } from "./erase.js";
 import type { FairOptions, FairResult } from "./fairing.js";
 import type { BridgeOptions, BridgeResult, FillOptions, FillResult } from "./holes.js";
 import type { Fairmesh } from "./index.js";
 import { newWorker, type Port, webPort } from "./ports.js";
+import type { Watching } from "./progress.js";
+import type { RegionResult, RegionStep } from "./region.js";
 import { type Caller, type SolverCall, WorkerSolver } from "./worker_solver.js";
 
 /** What a call in a worker can be handed besides its options. */
@@ -28,14 +30,27 @@ interface LongCalls {
     fillHoles<M extends Mesh>(mesh: M, options?: FillOptions & Handed): Promise<FillResult<Out<M>>>;
     bridge<M extends Mesh>(mesh: M, start: Indices, end: Indices, options?: BridgeOptions & Handed): Promise<BridgeResult<Out<M>>>;
     refill<M extends Mesh>(mesh: M, free?: Selection | null, options?: RefillOptions & Handed): Promise<RemeshResult<Out<M>>>;
+    remesh<M extends Mesh>(mesh: M, free?: Selection | null, options?: RemeshOptions & Handed): Promise<RemeshResult<Out<M>>>;
+    carryOver(mesh: Mesh, points: Points, among?: Selection | null, options?: Watching & Handed): Promise<Carried>;
+    selfIntersections(mesh: Mesh, among?: Selection | null, options?: Watching & Handed): Promise<Uint32Array>;
+    selectRegion(mesh: Mesh, steps: readonly RegionStep[], options?: Watching & Handed): Promise<RegionResult>;
 }
 
 /** Where the options of the long calls are among their arguments. */
-const LONG = { fair: 2, fillHoles: 1, bridge: 3, refill: 2 } as const satisfies Record<keyof LongCalls, number>;
+const LONG = {
+    fair: 2,
+    fillHoles: 1,
+    bridge: 3,
+    refill: 2,
+    remesh: 2,
+    carryOver: 3,
+    selfIntersections: 2,
+    selectRegion: 2,
+} as const satisfies Record<keyof LongCalls, number>;
 
 const SHORT = [
-    ...(["boundaryLoops", "suggestJoins", "erase", "trimBoundary", "carryOver", "components", "remesh", "meanCurvature"] as const),
-    ...(["selfIntersections", "selectRegion", "selectBall", "selectBox", "selectHalfspace", "selectGeodesic", "selectComponent"] as const),
+    ...(["boundaryLoops", "suggestJoins", "erase", "trimBoundary", "components", "meanCurvature"] as const),
+    ...(["selectBall", "selectBox", "selectHalfspace", "selectGeodesic", "selectComponent"] as const),
     ...(["selectPatch", "selectBump", "grow", "shrink", "defaultOptions", "defaultFillOptions", "defaultRemeshOptions", "describe"] as const),
 ];
 

@@ -5,8 +5,9 @@ import { chosenTriangles, type Floats, type Indices, indices, indicesIn, type Me
 import { type Selection, selectionIn } from "./arrays.js";
 import { type Host, isSingle, watched } from "./fairing.js";
 import { newMesh, type NewMesh, PATCH, type PatchOptions, patchesIn, withMesh } from "./holes.js";
-import { plainFields, type Scope } from "./library.js";
-import { FAIRING, type FairingOptions, fairingIn, known, real, whole, withDefaults } from "./options.js";
+import { plainFields, type Scope, write } from "./library.js";
+import { FAIRING, type FairingOptions, fairingIn, known, real, WATCHING, whole, withDefaults } from "./options.js";
+import type { Watching } from "./progress.js";
 import { type ResultHandle, resultOf } from "./reports.js";
 
 /** A mesh without some of its triangles. Its vertices are those given, used or not. */
@@ -53,7 +54,7 @@ export interface RemeshResult<P extends Floats = Floats> extends NewMesh<P> {
 }
 
 /** Options of `remesh`. */
-export interface RemeshOptions extends Region, PlainRemeshOptions {}
+export interface RemeshOptions extends Region, PlainRemeshOptions, Watching {}
 
 /** Options of `refill`. */
 export interface RefillOptions extends FairingOptions, PatchOptions, Region {}
@@ -102,22 +103,21 @@ export function trimBoundary(host: Host, given: Mesh, most: number, options: { l
 }
 
 /** See `Fairmesh.carryOver`. */
-export function carryOver(host: Host, given: Mesh, to: Points, among?: Selection): Carried {
+export function carryOver(host: Host, given: Mesh, to: Points, among?: Selection | null, options: Watching = {}): Carried {
+    known(options, WATCHING);
     const mesh = new MeshIn(given);
-    const listed = among === undefined ? null : chosenTriangles(mesh, among, "among");
+    const listed = among == null ? null : chosenTriangles(mesh, among, "among");
     const asked = points(to, "points");
-    return withMesh(host, mesh, (address, scope) =>
-        resultOf(
-            host.library,
-            "fairmesh_carry_over",
-            [address, listIn(scope, listed), scope.struct("points", numbersIn(scope, asked, 3)), 0, 0],
-            (result) => ({
+    return watched(host, options, ({ progress, userData }) =>
+        withMesh(host, mesh, (address, scope) => {
+            const views = [listIn(scope, listed), scope.struct("points", numbersIn(scope, asked, 3))];
+            return resultOf(host.library, "fairmesh_carry_over", [address, ...views, progress, userData], (result) => ({
                 // UINT32_MAX, which says that there is none, becomes -1.
                 triangles: Int32Array.from(result.list("carried_triangles")),
                 corners: Int32Array.from(result.list("parents")),
                 weights: result.vectors("parent_weights", asked.length / 3),
-            }),
-        ),
+            }));
+        }),
     );
 }
 
@@ -129,11 +129,15 @@ export function components(host: Host, given: Mesh): Uint32Array {
 }
 
 /** See `Fairmesh.selfIntersections`. */
-export function selfIntersections(host: Host, given: Mesh, among?: Selection): Uint32Array {
+export function selfIntersections(host: Host, given: Mesh, among?: Selection | null, options: Watching = {}): Uint32Array {
+    known(options, WATCHING);
     const mesh = new MeshIn(given);
-    const listed = among === undefined ? null : chosenTriangles(mesh, among, "among");
-    return withMesh(host, mesh, (address, scope) =>
-        resultOf(host.library, "fairmesh_self_intersections", [address, listIn(scope, listed), 0, 0], (result) => result.list("intersections")),
+    const listed = among == null ? null : chosenTriangles(mesh, among, "among");
+    return watched(host, options, ({ progress, userData }) =>
+        withMesh(host, mesh, (address, scope) => {
+            const given = [address, listIn(scope, listed), progress, userData];
+            return resultOf(host.library, "fairmesh_self_intersections", given, (result) => result.list("intersections"));
+        }),
     );
 }
 
@@ -148,12 +152,15 @@ function remeshed(result: ResultHandle, mesh: MeshIn): RemeshResult {
 
 /** See `Fairmesh.remesh`. */
 export function remesh(host: Host, given: Mesh, free?: Selection | null, options: RemeshOptions = {}): RemeshResult {
-    known(options, ["fixed", "freeTriangles", ...plainFields("remeshOptions")]);
+    known(options, ["fixed", "freeTriangles", ...plainFields("remeshOptions"), ...WATCHING]);
     const mesh = new MeshIn(given);
-    return withMesh(host, mesh, (address, scope) => {
-        const how = withDefaults(scope, "remeshOptions", "fairmesh_remesh_options_init", options);
-        return resultOf(host.library, "fairmesh_remesh", [address, selectionIn(scope, mesh, free, options), how], (result) => remeshed(result, mesh));
-    });
+    return watched(host, options, (told) =>
+        withMesh(host, mesh, (address, scope) => {
+            const how = withDefaults(scope, "remeshOptions", "fairmesh_remesh_options_init", options);
+            write(scope.library, how, "remeshOptions", told);
+            return resultOf(host.library, "fairmesh_remesh", [address, selectionIn(scope, mesh, free, options), how], (result) => remeshed(result, mesh));
+        }),
+    );
 }
 
 /** See `Fairmesh.refill`. */

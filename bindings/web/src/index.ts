@@ -8,7 +8,7 @@ import { fair, type FairOptions, type FairResult, meanCurvature, Solver } from "
 import * as holes from "./holes.js";
 import { Library, type StructName, within } from "./library.js";
 import { defaults } from "./options.js";
-import { Relays } from "./progress.js";
+import { Relays, type Watching } from "./progress.js";
 import * as region from "./region.js";
 import { type Telling, telling, type Told } from "./reports.js";
 import type { PlainFillOptions, PlainOptions, PlainRemeshOptions } from "./abi.js";
@@ -107,8 +107,8 @@ export class Fairmesh {
     }
 
     /** Finds the nearest triangle of a mesh for each point: colours of what was erased go to what took its place. */
-    carryOver(mesh: Mesh, points: Points, among?: Selection): erasing.Carried {
-        return erasing.carryOver(this.#host, mesh, points, among);
+    carryOver(mesh: Mesh, points: Points, among?: Selection | null, options?: Watching): erasing.Carried {
+        return erasing.carryOver(this.#host, mesh, points, among, options);
     }
 
     /** Per triangle the number of its component: triangles that hang together by edges. */
@@ -132,13 +132,13 @@ export class Fairmesh {
     }
 
     /** Pairs of triangles that intersect, one after the other, the smaller index first. */
-    selfIntersections(mesh: Mesh, among?: Selection): Uint32Array {
-        return erasing.selfIntersections(this.#host, mesh, among);
+    selfIntersections(mesh: Mesh, among?: Selection | null, options?: Watching): Uint32Array {
+        return erasing.selfIntersections(this.#host, mesh, among, options);
     }
 
     /** Chooses triangles by place, distance and shape, step by step, beginning with none. */
-    selectRegion(mesh: Mesh, steps: readonly region.RegionStep[]): region.RegionResult {
-        return region.selectRegion(this.#host, mesh, steps);
+    selectRegion(mesh: Mesh, steps: readonly region.RegionStep[], options?: Watching): region.RegionResult {
+        return region.selectRegion(this.#host, mesh, steps, options);
     }
 
     /** Triangles that lie in a ball with all corners, as a mask; so are those below. */

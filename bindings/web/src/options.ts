@@ -121,7 +121,7 @@ export function withDefaults(scope: Scope, struct: StructName, init: string, giv
 /** Plain in the library, but not here. */
 const OTHERWISE = ["continuity"];
 
-const WATCHING = ["progress", "cancel"];
+export const WATCHING = ["progress", "cancel"];
 /** The names of the fairing options. */
 export const FAIRING: readonly string[] = [
     ...plainFields("options"),

@@ -2,10 +2,11 @@
 
 import type * as abi from "./abi.js";
 import { chosenTriangles, indices, indicesIn, type Indices, type Mesh, MeshIn, type Selection } from "./arrays.js";
-import type { Host } from "./fairing.js";
+import { type Host, watched } from "./fairing.js";
 import { point, type Point, withMesh } from "./holes.js";
 import type { Scope, Values } from "./library.js";
-import { known, oneOf, real, whole } from "./options.js";
+import { known, oneOf, real, WATCHING, whole } from "./options.js";
+import type { Watching } from "./progress.js";
 import { resultOf } from "./reports.js";
 
 /** A vertex by its number, or the point of the surface that is nearest to this one. */
@@ -61,20 +62,23 @@ function stepIn(scope: Scope, step: RegionStep): Values {
 }
 
 /** See `Fairmesh.selectRegion`. */
-export function selectRegion(host: Host, given: Mesh, steps: readonly RegionStep[]): RegionResult {
+export function selectRegion(host: Host, given: Mesh, steps: readonly RegionStep[], options: Watching = {}): RegionResult {
+    known(options, WATCHING);
     const mesh = new MeshIn(given);
     if (!Array.isArray(steps)) throw new TypeError("steps: an array is needed");
-    return withMesh(host, mesh, (address, scope) => {
-        const values = steps.map((step) => stepIn(scope, step));
-        const at = values.length === 0 ? 0 : scope.structs("regionStep", values);
-        return resultOf(host.library, "fairmesh_select_region", [address, at, values.length, 0, 0], (result) => {
-            const triangles = result.list("region_triangles");
-            const mask = new Uint8Array(mesh.triangleCount);
-            for (const triangle of triangles) mask[triangle] = 1;
-            const bumps = steps.filter(({ kind }) => kind === "bump").map((_, k) => result.struct<abi.Bump>("fairmesh_result_bump", "bump", k));
-            return { mask, triangles, counts: result.list("region_counts"), bumps };
-        });
-    });
+    return watched(host, options, ({ progress, userData }) =>
+        withMesh(host, mesh, (address, scope) => {
+            const values = steps.map((step) => stepIn(scope, step));
+            const at = values.length === 0 ? 0 : scope.structs("regionStep", values);
+            return resultOf(host.library, "fairmesh_select_region", [address, at, values.length, progress, userData], (result) => {
+                const triangles = result.list("region_triangles");
+                const mask = new Uint8Array(mesh.triangleCount);
+                for (const triangle of triangles) mask[triangle] = 1;
+                const bumps = steps.filter(({ kind }) => kind === "bump").map((_, k) => result.struct<abi.Bump>("fairmesh_result_bump", "bump", k));
+                return { mask, triangles, counts: result.list("region_counts"), bumps };
+            });
+        }),
+    );
 }
 
 /** A region, given as a mask or indices, and one more step. */

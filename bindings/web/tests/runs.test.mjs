@@ -35,6 +35,23 @@ test("a callback can stop the run, call the library, and throw", () => {
     assert.ok(library.fair(mesh, mesh.free).report.isSuccess);
 });
 
+test("what only looks at a mesh, or remeshes, ends at one and can be stopped", () => {
+    const calls = {
+        remesh: (options) => library.remesh(mesh, mesh.free, options),
+        carryOver: (options) => library.carryOver(mesh, mesh.positions, null, options),
+        selfIntersections: (options) => library.selfIntersections(mesh, null, options),
+        selectRegion: (options) => library.selectRegion(mesh, [{ kind: "geodesic", seed: 0, value: 1 }], options),
+    };
+    for (const [name, call] of Object.entries(calls)) {
+        const told = [];
+        call({ progress: ({ fraction }) => void told.push(fraction) });
+        assert.ok(told.every((fraction, k) => k === 0 || fraction >= told[k - 1]), name);
+        assert.equal(told.at(-1), 1, name);
+        assert.throws(() => call({ progress: () => false }), { status: "cancelled" }, name);
+        assert.throws(() => call({ progres: null }), { name: "TypeError" }, name);
+    }
+});
+
 test("a number in shared memory stops the run", () => {
     const cancel = new Int32Array(new SharedArrayBuffer(4));
     const progress = ({ iterations }) => void (iterations > 1 && Atomics.store(cancel, 0, 1));
