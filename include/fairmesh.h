@@ -652,7 +652,7 @@ enum fairmesh_loose_reason
      */
     FAIRMESH_LOOSE_REASON_ROUNDING = 2,
     /**
-     * The surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals.
+     * The surface has a bump: its curvature inside exceeds what the boundary allows, or it folds at single edges or leaves single normals.
      */
     FAIRMESH_LOOSE_REASON_BUMP = 4,
     /**

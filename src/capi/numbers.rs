@@ -135,7 +135,7 @@ pub enum fairmesh_loose_reason {
     SuspiciousNormals = 1,
     /// Max |Delta_B H| is as small as the rounding of the positions allows, but above its limit.
     Rounding = 2,
-    /// The surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals.
+    /// The surface has a bump: its curvature inside exceeds what the boundary allows, or it folds at single edges or leaves single normals.
     Bump = 4,
     /// The steps have become as small as double precision allows here, but stay above the tolerance.
     Tolerance = 5,

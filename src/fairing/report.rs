@@ -94,7 +94,7 @@ choices! {
             "max |Delta_B H| is as small as the rounding of the positions allows, but above its limit",
             "set a larger limit, or move the mesh near to the origin and give it in double precision";
         4 "bump" Bump =>
-            "the surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals",
+            "the surface has a bump: its curvature inside exceeds what the boundary allows, or it folds at single edges or leaves single normals",
             "look at it; a larger region, or one with a smoother boundary, usually cures it";
         5 "tolerance" Tolerance =>
             "the steps have become as small as double precision allows here, but stay above the tolerance",

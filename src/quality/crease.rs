@@ -22,7 +22,7 @@ use crate::mesh::Rings;
 const KINK: f64 = 45.0;
 /// So many more than the kinks it is compared with, too.
 /// Of 126 cases, half: none changes; double: 1 changes, 2 more succeed.
-const EXCESS: f64 = 15.0;
+pub(super) const EXCESS: f64 = 15.0;
 /// No surface that deviates from a boundary normal by more than this many degrees meets it.
 /// Of 126 cases, half: 3 change by up to 0.8 edges, 1 get another triangulation, +7 % iterations, 4 fail;
 /// double: 0 change, -2 % iterations.

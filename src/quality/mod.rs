@@ -1,6 +1,7 @@
 //! Is the result sound: triangles, normals, extent.
 
 pub(crate) mod crease;
+pub(crate) mod folds;
 
 use fairmesh_linear::parallel;
 use nalgebra::Vector3;

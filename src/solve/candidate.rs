@@ -9,6 +9,7 @@ use super::system::System;
 use crate::discrete::equations::State;
 use crate::quality::NEEDLE;
 use crate::quality::crease::{creases_by_outside, kinks_as_given};
+use crate::quality::folds::Folds;
 use crate::support::profile::clock;
 
 /// A step norm that only rounding keeps from falling, in diagonals: it grows with the number of vertices.
@@ -40,6 +41,8 @@ pub(crate) struct Candidate {
     pub curvature_overshoot: bool,
     /// It stands off single boundary normals far more than off the others.
     pub detached_from_normals: bool,
+    /// At so many edges it folds ([`crate::quality::folds`]).
+    pub folds: usize,
     /// At so many boundary vertices it has a crease ([`crate::quality::crease`]), going by the outside, not by the interior of the input.
     pub creases: usize,
     /// So many boundary normals are told to be probably flipped, by what this surface is beside them.
@@ -70,6 +73,14 @@ impl Candidate {
             bending_energy: bending_energy(system.state()),
             total_curvature: total_curvature(system.state()),
             creases: creases_by_outside(&kinks_as_given(&surface, &domain.rings, &domain.input)),
+            folds: Folds {
+                surface: &surface,
+                k: &system.state().k,
+                rings: &domain.rings,
+                input: &domain.input,
+            }
+            .found()
+            .len(),
             suspicious_normals: surface.suspicious_normals(&domain.rings, &domain.input).len(),
             status,
             step,
@@ -84,7 +95,7 @@ impl Candidate {
 
     /// The coarse equations admit it, but no smooth surface has it.
     pub(crate) fn has_bump(&self) -> bool {
-        self.curvature_overshoot || self.detached_from_normals
+        self.curvature_overshoot || self.detached_from_normals || self.folds > 0
     }
 
     /// Something may be better. Whether a crease is told is decided at the end, by the input as well.

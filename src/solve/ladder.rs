@@ -480,6 +480,7 @@ mod tests {
             along_normals: false,
             poor: Vec::new(),
             curvature_overshoot: false,
+            folds: 0,
             bending_energy: 0.0,
             total_curvature: 0.0,
             detached_from_normals: false,
