@@ -21,7 +21,7 @@ use crate::mesh::halfedge::NONE;
 /// is known, 3 have a vertex that stands off it by 30 and more times what is usual; edges there bend by 4.7 to 6.5 times as much, and
 /// by less than 1.2 times on all others.
 /// Of 114 such bands and 116 regions of scans, half: 4 bands more are refused, wrongly; double: none changes.
-const EXPLAINED: f64 = 2.0;
+const EXPLAINED: f64 = 3.0;
 /// What bends more, in degrees, is a fold whatever its curvature: that is not resolved.
 /// Half: 1 of the regions more is refused; double: 2 of the bands are successes with edges of 77 degrees where the surface has 25.
 const SHARP: f64 = 75.0;
