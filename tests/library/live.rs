@@ -855,6 +855,25 @@ fn edits_that_are_too_much_are_not_said_to_settle_folded_and_are_taken_back() {
     }
 }
 
+/// The options' limit of iterations ends a frame that has none of its own; the next one goes on.
+#[test]
+fn a_frame_without_a_limit_ends_where_the_iterations_do() {
+    let shape = sphere_cap(60.0, 500, irregular(2), OUTSIDE);
+    let asked = Options {
+        max_iterations: 2,
+        ..options(1e-8)
+    };
+    let mut solver = begin(&shape, &asked);
+    let frame = solver.update(&NO_LIMIT).unwrap();
+    assert!(!frame.is_settled);
+    assert_at_most!(frame.evaluations, 3);
+    let mut frames = 1;
+    while !solver.update(&NO_LIMIT).unwrap().is_settled {
+        frames += 1;
+        assert_below!(frames, 50);
+    }
+}
+
 /// Who turns the normals wants the edge that the surface has with its surroundings then: it is no crease that fitted normals have made.
 #[test]
 fn a_kink_that_edits_ask_for_is_no_crease() {

@@ -378,6 +378,9 @@ impl Cursor {
             let result = self.advance(options, 1, &mut nobody)?;
             if self.is_over {
                 self.untold = Some(result);
+            } else if self.tally.iterations == 0 {
+                // The limit of iterations was hit. A frame without a limit of its own would go on for ever where they lead nowhere.
+                break;
             }
         }
         let step = if self.is_over {
