@@ -95,7 +95,7 @@ choices! {
             "set a larger limit, or move the mesh near to the origin and give it in double precision";
         4 "bump" Bump =>
             "the surface has a bump: its curvature inside exceeds what the boundary allows, or it folds at single edges or leaves single normals",
-            "look at it; a larger region, or one with a smoother boundary, usually cures it";
+            "look at it; conformal inner fairness, a larger region, or one with a smoother boundary, usually cures it";
         5 "tolerance" Tolerance =>
             "the steps have become as small as double precision allows here, but stay above the tolerance",
             "ask for a larger tolerance: the last step in the report is the smallest that can be met here";

@@ -5,7 +5,7 @@
 //! `kappa (R_1 + R_2)`. A single vertex that stands off is seen by the fit around it as curvature as well, which may meet the
 //! equations exactly; but not by those farther off. So `kappa` is the median of the larger principal curvatures around an edge.
 //!
-//! No edge is a fold that is no sharper than those of the surroundings, or than boundary normals that are turned against them ask for: beside
+//! No edge is a fold that is hardly sharper than those of the surroundings, or than boundary normals that are turned against them ask for: beside
 //! creases and noise no surface is without.
 
 use fairmesh_linear::parallel;
@@ -25,6 +25,10 @@ const EXPLAINED: f64 = 3.0;
 /// What bends more, in degrees, is a fold whatever its curvature: that is not resolved.
 /// Half: 1 of the regions more is refused; double: 2 of the bands are successes with edges of 77 degrees where the surface has 25.
 const SHARP: f64 = 75.0;
+
+/// A fold is sharper than the surroundings by more than this factor: beside a spike of 60 degrees a region of four vertices bends by 66.
+/// At 1 that region is refused; with 15 degrees more in its place, 3 of 70 bands are successes that stand off by a hundredth of the radius.
+const SHARPER: f64 = 1.15;
 
 /// A surface, and what is around it.
 pub(crate) struct Folds<'a> {
@@ -48,7 +52,7 @@ impl Folds<'_> {
         })
         .concat();
         if !found.is_empty() {
-            let least = self.sharpest_outside().max(self.asked() + EXCESS);
+            let least = (SHARPER * self.sharpest_outside()).max(self.asked() + EXCESS);
             found.retain(|&h| self.bend(h) > least);
         }
         found
@@ -140,7 +144,8 @@ impl Folds<'_> {
         (kappa * radii).to_degrees()
     }
 
-    /// The median of the larger principal curvatures, in absolute value, at the free vertices within two edges.
+    /// The median of the larger principal curvatures, in absolute value, at the vertices within two edges; of those on the boundary the mean
+    /// curvature stands for it.
     fn median_curvature(&self, v: u32) -> f64 {
         let mut around = vec![v];
         for _ in 0..2 {
@@ -152,13 +157,15 @@ impl Folds<'_> {
             around.sort_unstable();
             around.dedup();
         }
-        let free = around.iter().map(|&u| u as usize).filter(|&u| u < self.k.len());
-        let mut kappa: Vec<f64> = free
-            .map(|u| {
-                let (h, k) = (self.surface.h[u], self.k[u]);
-                h.abs() + (h * h - k).max(0.0).sqrt()
-            })
-            .collect();
+        let larger = |&u: &u32| {
+            let h = self.surface.h[u as usize];
+            let difference = self
+                .k
+                .get(u as usize)
+                .map_or(0.0, |k| (h * h - k).max(0.0).sqrt());
+            h.abs() + difference
+        };
+        let mut kappa: Vec<f64> = around.iter().map(larger).collect();
         kappa.sort_unstable_by(f64::total_cmp);
         kappa.get(kappa.len() / 2).copied().unwrap_or(0.0)
     }
