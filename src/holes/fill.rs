@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use fairmesh_linear::interrupt::{checkpoint, unless_stopped};
+use fairmesh_linear::interrupt::unless_stopped;
 
 use super::attempts::Check;
 use super::crossing::Neighbours;
@@ -209,7 +209,6 @@ pub(super) fn fill_within(
         left: options.max_new_vertices,
         options,
         fairing: &fairing,
-        objections: &objections,
         guides,
         work: of_groups,
     };
@@ -217,7 +216,11 @@ pub(super) fn fill_within(
     for i in order {
         let clock = Stopwatch::start();
         let boundary = of_group(i);
-        let mut piece = run.fill(i, &groups[i], &boundary, progress);
+        let mut piece = match objections[i] {
+            Some(reason) => PatchSurface::open(reason),
+            None => unless_stopped(|| run.fill(i, &groups[i], &boundary, progress))
+                .unwrap_or_else(|| PatchSurface::open(OpenReason::Cancelled)),
+        };
         if !joined.copies.is_empty() {
             let copies: Vec<u32> = boundary.iter().flat_map(|of| of.copies(triangles)).collect();
             piece.name_copies(&copies);
@@ -317,8 +320,6 @@ struct FillRun<'m> {
     options: &'m FillOptions,
     /// In the joined mesh's numbers.
     fairing: &'m Options,
-    /// Per group what speaks against filling it.
-    objections: &'m [Option<OpenReason>],
     /// Per group its guides, by the places of their ends.
     guides: Vec<Vec<[u32; 2]>>,
     work: FillProgress,
@@ -333,21 +334,6 @@ impl FillRun<'_> {
         loops: &[&BoundaryLoop],
         callback: &mut ProgressCallback<'_>,
     ) -> PatchSurface {
-        if let Some(reason) = &self.objections[i] {
-            return PatchSurface::open(*reason);
-        }
-        unless_stopped(|| self.patch(i, group, loops, callback))
-            .unwrap_or_else(|| PatchSurface::open(OpenReason::Cancelled))
-    }
-
-    fn patch(
-        &mut self,
-        i: usize,
-        group: &LoopGroup,
-        loops: &[&BoundaryLoop],
-        callback: &mut ProgressCallback<'_>,
-    ) -> PatchSurface {
-        checkpoint();
         let mut surroundings = Surroundings::new(self.links, self.positions, loops, &mut self.place);
         surroundings.guides.clone_from(&self.guides[i]);
         if let Some(vertex) = surroundings.first_unusable() {
@@ -395,7 +381,6 @@ impl FillRun<'_> {
             has_sound_rim: &has_sound_rim,
         };
         let piece = task.settled(check, self.options.on_failure, &mut tell);
-        checkpoint();
         self.left -= piece.positions.len();
         for t in &piece.triangles {
             for k in 0..3 {

@@ -3,17 +3,17 @@
 use crate::fairing::Progress;
 
 /// The work of looking at one triangle of the mesh: measured on bowls of 190,000 and 290,000 triangles with a hole of 600 and 720 edges.
-/// Half or double: only the progress changes.
+/// With .06 the progress of the second is off by .32 of the time, with .08 and [`READ`] by .19.
 const PER_TRIANGLE: f64 = 0.08;
 /// What of that is finding the loops; the rest is the tree of what patches may intersect.
-/// Half or double: only the progress changes.
+/// Where nothing is told then, the progress is off by .32 of the time.
 const READ: f64 = 0.5;
 /// The work of one edge of a loop: what is done once for a small loop.
 /// Half or double, of 38 cases: only the progress changes.
 const PER_EDGE: f64 = 2.0;
 
 /// What of a patch's share its first fairing is: few are faired more often, and for those it is half of the time.
-/// Half or double, of 36 cases: only the progress changes.
+/// With .9, what is faired twice (a bridge at density 10) is off by .44 of the time and a fill that is faired once by .14; with .8 by .23 and .22.
 const FIRST: f64 = 0.8;
 /// A fraction that falls by more than this begins anew.
 /// Half or double, of 36 cases: none changes.

@@ -51,13 +51,16 @@ pub fn is_stopped() -> bool {
     OWN.with_borrow(Interrupt::is_set)
 }
 
-/// What `work` makes; none if the run is stopped before the end. `work` may be left at every [`checkpoint`], on each of its threads:
+/// What `work` makes; none if the run is stopped before the end, or was before: then `work` is not begun. `work` may be left at every [`checkpoint`], on each of its threads:
 /// what it has changed outside of itself is not to be used then. Where panics abort (WebAssembly) it ends as [`is_stopped`] lets it.
 ///
 /// # Panics
 /// If `work` does.
 pub fn unless_stopped<T>(work: impl FnOnce() -> T) -> Option<T> {
     let run = OWN.with_borrow(Clone::clone);
+    if run.is_set() {
+        return None;
+    }
     let outer = run.0.unwinds.swap(true, Ordering::Relaxed);
     let made = catch_unwind(AssertUnwindSafe(work));
     run.0.unwinds.store(outer, Ordering::Relaxed);
@@ -107,6 +110,7 @@ mod tests {
             unreachable!("the checkpoint is passed")
         });
         assert_eq!(left, None::<()>);
+        assert_eq!(unless_stopped(|| unreachable!("it is begun")), None::<()>);
         // Whoever wants what was made until then is left alone.
         checkpoint();
         before.heed();
