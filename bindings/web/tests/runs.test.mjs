@@ -48,7 +48,7 @@ test("what only looks at a mesh, or remeshes, ends at one and can be stopped", (
         assert.ok(told.every((fraction, k) => k === 0 || fraction >= told[k - 1]), name);
         assert.equal(told.at(-1), 1, name);
         assert.throws(() => call({ progress: () => false }), { status: "cancelled" }, name);
-        assert.throws(() => call({ progres: null }), { name: "TypeError" }, name);
+        assert.throws(() => call({ onProgress: null }), { name: "TypeError" }, name);
     }
 });
 
