@@ -54,6 +54,14 @@ impl FairnessWeights {
         })
     }
 
+    /// Mean-value weights of a surface, as by [`Self::set_mean_value`].
+    pub(crate) fn mean_value(batches: &ValenceBatches, surface: &[Vector3<f64>]) -> Self {
+        Self::of_input(batches, |weights, i| {
+            weights.set_mean_value(batches, surface, i);
+            false
+        })
+    }
+
     /// The weights that `of(i)` gives for the neighbours of each free vertex `i`, by their numbers, positive and with any sum.
     pub(crate) fn given<I: Iterator<Item = (u32, f64)>>(
         batches: &ValenceBatches,
@@ -95,6 +103,17 @@ impl FairnessWeights {
         let weights = &mut self.slots(batches)[slots.clone()];
         let ring = |k: usize| &input[batches.neighbour[slots.start + k][lane] as usize];
         clamped_cotangents(&input[i], weights.len(), ring, |k, w| weights[k][lane] = w)
+    }
+
+    /// At how many free vertices these weights are not those.
+    pub(crate) fn differing(&self, those: &Self, batches: &ValenceBatches) -> usize {
+        let differs = |i: &usize| {
+            let (slots, lane) = batches.ring_slots(*i);
+            slots
+                .clone()
+                .any(|slot| self.at(slot, lane) != those.at(slot, lane))
+        };
+        (0..batches.free()).filter(differs).count()
     }
 
     /// Gives one vertex the mean-value weights of the input mesh, `(tan(a/2) + tan(b/2)) / |q_j - q_i|` with the angles `a`,

@@ -60,11 +60,7 @@ impl Found<'_> {
             report,
             boundary: domain.region.boundary,
             suspicious_normals,
-            fallback_weights: if self.result.along_normals {
-                domain.region.free
-            } else {
-                self.prepared.weights.clamped
-            },
+            fallback_weights: self.result.spread_otherwise.max(self.prepared.weights.clamped),
             levels: self.levels,
             seconds,
         }

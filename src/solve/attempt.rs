@@ -33,9 +33,6 @@ pub(crate) enum MeshLevel {
     Any,
     /// Where there is a coarse level.
     Fine,
-    /// Where there is none: on small meshes, and on coarse levels. Also where the coarse level has a harmonic surface, and no attempt
-    /// before has led to one on the fine mesh.
-    Coarsest,
 }
 
 /// When an attempt is tried.
@@ -65,6 +62,8 @@ impl Condition {
 pub(crate) enum Weights {
     /// As asked.
     Asked,
+    /// Mean-value weights of the surface of least bending, which is so its solution already (nearly: its rings are not plane).
+    LeastBending,
     /// As the attempts before have left it, repaired.
     AsLeft,
     /// None: vertices move along the normals alone. On a surface that is nearly closed, inner fairness (7.3) has no solution, or one that
@@ -80,8 +79,8 @@ pub(crate) enum Start {
     AtHand,
     /// The linear surface (7.4) with the inner fairness that is asked for.
     Linear,
-    /// The linear surface on the metric of a membrane.
-    MembraneMetric,
+    /// The surface that descent from the linear one leads to.
+    LeastBending,
     /// The surface found on the coarse mesh,
     Coarse,
     /// where that is harmonic no more.
@@ -111,7 +110,6 @@ pub(super) const DIRECT: IterateOptions = IterateOptions {
     patience: 5,
     rounds: 5,
     stop_on_folds: false,
-    measured_response: true,
     reuse_factor: false,
     follows: false,
     phase: "fairing",
@@ -205,19 +203,6 @@ pub(crate) const LADDER: &[Rung] = &[
         },
         kept: Kept::Result,
     },
-    Rung {
-        name: "membrane metric",
-        mesh: MeshLevel::Coarsest,
-        condition: Condition::Always,
-        weights: Weights::Asked,
-        start: Start::MembraneMetric,
-        procedure: Procedure::WeightRepair,
-        options: IterateOptions {
-            measured_response: false,
-            ..DIRECT
-        },
-        kept: Kept::Result,
-    },
     along_normals(MeshLevel::Any),
     Rung {
         name: "second surface",
@@ -230,11 +215,21 @@ pub(crate) const LADDER: &[Rung] = &[
         kept: Kept::Result,
     },
     Rung {
+        name: "from least bending",
+        mesh: MeshLevel::Any,
+        condition: Condition::Always,
+        weights: Weights::LeastBending,
+        start: Start::LeastBending,
+        procedure: Procedure::Regain,
+        options: DIRECT,
+        kept: Kept::Result,
+    },
+    Rung {
         name: "minimal energy",
-        mesh: MeshLevel::Coarsest,
+        mesh: MeshLevel::Any,
         condition: Condition::Harmonic,
-        weights: Weights::Asked,
-        start: Start::Linear,
+        weights: Weights::LeastBending,
+        start: Start::LeastBending,
         procedure: Procedure::MinimalEnergy,
         options: IterateOptions {
             tolerance_floor: COARSE,
@@ -247,29 +242,19 @@ pub(crate) const LADDER: &[Rung] = &[
     },
     Rung {
         name: "from minimal energy",
-        mesh: MeshLevel::Coarsest,
+        mesh: MeshLevel::Any,
         condition: Condition::Harmonic,
-        weights: Weights::Asked,
+        weights: Weights::LeastBending,
         start: Start::MinimalEnergy,
-        procedure: Procedure::RepairHere,
-        options: DIRECT,
-        kept: Kept::Result,
-    },
-    Rung {
-        name: "weights repaired everywhere",
-        mesh: MeshLevel::Coarsest,
-        condition: Condition::Always,
-        weights: Weights::Asked,
-        start: Start::Linear,
-        procedure: Procedure::RepairEverywhere,
+        procedure: Procedure::Regain,
         options: DIRECT,
         kept: Kept::Result,
     },
     Rung {
         name: "nearest member",
-        mesh: MeshLevel::Coarsest,
+        mesh: MeshLevel::Any,
         condition: Condition::Harmonic,
-        weights: Weights::Asked,
+        weights: Weights::LeastBending,
         start: Start::MinimalEnergy,
         procedure: Procedure::Approach,
         options: IterateOptions {
@@ -296,7 +281,7 @@ mod tests {
         match start {
             Start::AtHand => "surface at hand",
             Start::Linear => "linear",
-            Start::MembraneMetric => "linear, membrane's metric",
+            Start::LeastBending => "least bending",
             Start::Coarse => "of the coarse mesh",
             Start::CoarseMember => "member of the coarse mesh",
             Start::MinimalEnergy => "minimal energy",
@@ -310,7 +295,7 @@ mod tests {
             Procedure::Iteration => "iteration",
             Procedure::WeightRepair => "iteration, weight repair",
             Procedure::RepairHere => "iteration, weight repair from there",
-            Procedure::RepairEverywhere => "weight repair everywhere, iteration",
+            Procedure::Regain => "iteration, weight repair from there, then with the weights asked",
             Procedure::MinimalEnergy => "iteration, weight repair, minimal energy",
             Procedure::Approach => "members of the family, towards harmonic",
             Procedure::Retreat => "members of the family, from that of the coarse mesh",
@@ -323,16 +308,15 @@ mod tests {
         let mesh = match attempt.mesh {
             MeshLevel::Any => "",
             MeshLevel::Fine => "fine",
-            MeshLevel::Coarsest => "coarsest",
         };
         let weights = match attempt.weights {
             Weights::Asked => "asked",
+            Weights::LeastBending => "of least bending",
             Weights::AsLeft => "as left",
             Weights::None => "none",
         };
         let IterateOptions {
             tolerance_floor,
-            measured_response,
             reuse_factor,
             ..
         } = attempt.options;
@@ -341,11 +325,7 @@ mod tests {
         } else {
             "asked".to_owned()
         };
-        let matrix = match (reuse_factor, measured_response) {
-            (true, _) => "kept",
-            (false, true) => "measured",
-            (false, false) => "ring's own",
-        };
+        let matrix = if reuse_factor { "kept" } else { "measured" };
         let kept = match attempt.kept {
             Kept::Result => "result",
             Kept::Sound => "if sound",

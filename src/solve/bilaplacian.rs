@@ -1,7 +1,7 @@
 //! The frozen matrix of the normal step, `P = S_I D S_I^T`, and of the linear start.
 //!
 //! Moving by `t` along the normals changes `H` by about `-D S t`, so `P t = R1` with the free rows `S_I` of `S` and all its
-//! columns: the clamped bilaplacian. `D_i` is the answer of the ring's fit (paper 7.2) or a mean over the ring, within bounds
+//! columns: the clamped bilaplacian. `D_i` is the answer of the ring's fit (paper 7.2), within bounds
 //! around `3 / (4 A_i)` of (5). The factor `D_b` at fixed boundary vertices says how much the one-sided `H_b` answers to the
 //! surface beside it.
 
@@ -28,16 +28,6 @@ pub(crate) struct Metric {
     d: Vec<f64>,
 }
 
-/// `-dH_i/dt_i` of a constant fit to the ring: the mean of `2 / |e_j|^2`. `3 / (4 A_i)` times `sum_j w_ij` is three times
-/// that at a regular ring of valence 3.
-fn moreton_sequin_response(ring: &[u32], x: &[Vector3<f64>], i: usize) -> f64 {
-    let sum: f64 = ring
-        .iter()
-        .map(|&j| 2.0 / (x[j as usize] - x[i]).norm_squared())
-        .sum();
-    sum / ring.len() as f64
-}
-
 /// `D_i` stays within these factors of `3 / (4 A_i)`.
 /// Of 125 cases, half: 17 change by up to 0.6 edges, 2 get another triangulation, -3 % iterations, 1 fails;
 /// double: 33 change by up to 0.5 edges, 3 get another triangulation, 1 fails.
@@ -48,15 +38,9 @@ const FREE_RANGE: [f64; 2] = [0.1, 5.0];
 const BOUNDARY_RANGE: f64 = 4.0;
 
 impl Metric {
-    /// `S` and `D` at the evaluated surface `x`. With `response`, `D_b` is taken from the finite-difference answer of
-    /// `H_b` to a shift of all free vertices along their normals; else `D_b = 3 / (4 A_b)`.
-    pub(crate) fn update(
-        &mut self,
-        equations: &Equations<'_>,
-        x: &[Vector3<f64>],
-        state: &State,
-        response: bool,
-    ) {
+    /// `S` and `D` at the surface `x`, which was evaluated with its response. `D_b` is taken from the finite-difference answer of
+    /// `H_b` to a shift of all free vertices along their normals.
+    pub(crate) fn update(&mut self, equations: &Equations<'_>, x: &[Vector3<f64>], state: &State) {
         let _clock = clock("assemble P");
         let (rings, batches) = (equations.rings, equations.batches);
         let free = equations.free();
@@ -87,15 +71,10 @@ impl Metric {
                     *total += *w;
                 }
                 let plain = 0.75 / state.area[i].max(f64::MIN_POSITIVE);
-                let answer = if response {
-                    state.response[i]
-                } else {
-                    moreton_sequin_response(rings.ring(i), x, i)
-                };
-                *d = (answer / *total).clamp(plain * FREE_RANGE[0], plain * FREE_RANGE[1]);
+                *d = (state.response[i] / *total).clamp(plain * FREE_RANGE[0], plain * FREE_RANGE[1]);
             }
         });
-        let shifted = response.then(|| Shift::new(equations, x, state));
+        let shift = Shift::new(equations, x, state);
         for b in 0..boundary {
             let neighbours = rings.boundary_ring(b);
             let weights = &mut self.boundary_weight[rings.boundary_neighbour.range(b)];
@@ -110,12 +89,11 @@ impl Metric {
                 .zip(weights)
                 .filter(|(j, _)| (**j as usize) < free);
             let sum: f64 = to_free.map(|(_, w)| *w).sum();
-            self.d[free + b] = match &shifted {
-                Some(shift) if sum > 0.0 => {
-                    let answer = shift.answer(equations, state, b) / sum;
-                    answer.clamp(plain / BOUNDARY_RANGE, plain * BOUNDARY_RANGE)
-                }
-                _ => plain,
+            self.d[free + b] = if sum > 0.0 {
+                let answer = shift.answer(equations, state, b) / sum;
+                answer.clamp(plain / BOUNDARY_RANGE, plain * BOUNDARY_RANGE)
+            } else {
+                plain
             };
         }
         self.bound(free);

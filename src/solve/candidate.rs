@@ -1,5 +1,7 @@
 //! What an attempt has led to, and how good it is.
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 
 use super::formulation::Formulation;
@@ -7,6 +9,7 @@ use super::iterate_options::IterationStatus;
 use super::result::TrialEnd;
 use super::system::System;
 use crate::discrete::equations::State;
+use crate::discrete::inner_fairness::FairnessWeights;
 use crate::quality::NEEDLE;
 use crate::quality::crease::{creases_by_outside, kinks_as_given};
 use crate::quality::folds::Folds;
@@ -33,6 +36,10 @@ pub(crate) struct Candidate {
     pub status: IterationStatus,
     /// Its step norm.
     pub step: f64,
+    /// The inner fairness that spreads its vertices,
+    pub weights: Arc<FairnessWeights>,
+    /// and at how many of them it is not the one that is asked for.
+    pub spread_otherwise: usize,
     /// Its vertices are where the normals have led them: inner fairness was not asked of them.
     pub along_normals: bool,
     /// Its poor triangles (local numbers).
@@ -84,6 +91,8 @@ impl Candidate {
             suspicious_normals: surface.suspicious_normals(&domain.rings, &domain.input).len(),
             status,
             step,
+            weights: formulation.weights.clone(),
+            spread_otherwise: system.spread_otherwise(formulation),
             along_normals: formulation.along_normals,
             poor: surface.poor(NEEDLE),
             curvature_overshoot: system.overshoots(formulation),
@@ -145,9 +154,12 @@ impl Candidate {
         )
     }
 
-    /// Of two sound surfaces the one of less bending energy is the better one, unless it turns away from boundary normals.
+    /// Of two sound surfaces the one of less bending energy is the better one, unless it turns away from boundary normals, or none of its
+    /// vertices is spread as asked: on coarse meshes that alone changes the energy by a third.
     pub(crate) fn is_better_than(&self, other: &Self) -> bool {
-        self.bending_energy < (1.0 - LESS_ENERGY) * other.bending_energy
+        let is_as_asked = self.spread_otherwise <= other.spread_otherwise.max(self.x.len() / 2);
+        is_as_asked
+            && self.bending_energy < (1.0 - LESS_ENERGY) * other.bending_energy
             && self.suspicious_normals <= other.suspicious_normals
     }
 

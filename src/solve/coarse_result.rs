@@ -18,6 +18,11 @@ pub(super) enum CoarseResult {
         /// Found along the normals alone.
         along_normals: bool,
     },
-    /// None, for this reason.
-    Missed(SolveStatus),
+    /// None that is sound.
+    Missed {
+        /// For this reason.
+        status: SolveStatus,
+        /// What there is in its place, on the fine mesh.
+        x: Option<Vec<Vector3<f64>>>,
+    },
 }

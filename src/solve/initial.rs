@@ -12,10 +12,6 @@ use super::formulation::Formulation;
 use super::limited_step::{LARGEST_CHANGE, advance_limited};
 use super::problem::diagonal;
 use super::system::System;
-use fairmesh_linear::cholesky::Cholesky;
-use fairmesh_linear::ordering::amd;
-use fairmesh_linear::sparse::SymmetricPattern;
-use fairmesh_linear::symbolic::Symbolic;
 
 /// Linear systems are solved to this, in the norm of their own energy. They only make a start, but what is decided there
 /// about thin triangles ought not to depend on the order of elimination.
@@ -49,97 +45,6 @@ impl System {
         Ok(x)
     }
 
-    /// The surface with `sum_j lambda_ij (q_j - q_i) = 0`. Fixed vertices inside the region relax with it, where their
-    /// component has other fixed ones: they give their place to a better metric.
-    pub(crate) fn membrane(&mut self, formulation: &Formulation) -> Vec<Vector3<f64>> {
-        // They were factored before, so that they can be again.
-        let _ = self.factor_inner(&formulation.weights);
-        let mut x = self.domain.surface().to_vec();
-        self.relax_fixed_inside(&mut x);
-        x[..self.free()].fill(Vector3::zeros());
-        let mut correction = vec![[0.0; 3]; self.free()];
-        for _ in 0..4 {
-            self.fairness_residual(&x, formulation, &mut correction);
-            self.solve_g(&mut correction);
-            let size = norm(&correction);
-            for (x, c) in x.iter_mut().zip(&correction) {
-                *x += Vector3::from(*c);
-            }
-            if size <= REFINED * norm_of(&x) {
-                break;
-            }
-        }
-        x
-    }
-
-    /// `sum_j lambda_ij (q_j - q_i)` at free vertices.
-    fn fairness_residual(&self, x: &[Vector3<f64>], formulation: &Formulation, residual: &mut [[f64; 3]]) {
-        for (i, r) in residual.iter_mut().enumerate() {
-            let (first, lane) = self.domain.batches.place(i);
-            let mut sum = Vector3::zeros();
-            for (k, &j) in self.domain.rings.ring(i).iter().enumerate() {
-                sum += (x[j as usize] - x[i]) * formulation.weights.at(first + k, lane);
-            }
-            *r = [sum.x, sum.y, sum.z];
-        }
-    }
-
-    /// Moves fixed vertices with a closed ring to the uniform membrane of their component's open boundary.
-    fn relax_fixed_inside(&self, x: &mut [Vector3<f64>]) {
-        let Domain { region, rings, .. } = &*self.domain;
-        let free = region.free;
-        let mut has_open_boundary = vec![false; region.components];
-        for (b, &closed) in rings.closed.iter().enumerate() {
-            let touched = rings.boundary_ring(b).iter().find(|&&j| (j as usize) < free);
-            if let (false, Some(&j)) = (closed, touched) {
-                has_open_boundary[region.component[j as usize] as usize] = true;
-            }
-        }
-        let relaxes = |v: usize| {
-            v < free
-                || rings.closed[v - free]
-                    && rings.boundary_ring(v - free).iter().all(|&j| {
-                        j as usize >= free || has_open_boundary[region.component[j as usize] as usize]
-                    })
-        };
-        let unknown: Vec<u32> = (0..x.len() as u32).filter(|&v| relaxes(v as usize)).collect();
-        if unknown.len() == free {
-            return;
-        }
-        let mut number = vec![u32::MAX; x.len()];
-        for (n, &v) in unknown.iter().enumerate() {
-            number[v as usize] = n as u32;
-        }
-        let mut edges = Vec::new();
-        let mut degree = vec![0.0; unknown.len()];
-        let mut right = vec![[0.0; 3]; unknown.len()];
-        for (n, &v) in unknown.iter().enumerate() {
-            for &j in rings.neighbours(v as usize) {
-                degree[n] += 1.0;
-                let other = number[j as usize];
-                if other == u32::MAX {
-                    let p = x[j as usize];
-                    right[n] = [right[n][0] + p.x, right[n][1] + p.y, right[n][2] + p.z];
-                } else if other < n as u32 {
-                    edges.push([n as u32, other]);
-                }
-            }
-        }
-        let pattern = SymmetricPattern::from_edges(unknown.len(), &edges);
-        let mut values = vec![-1.0; pattern.column.len()];
-        for (n, d) in degree.iter().enumerate() {
-            values[pattern.start[n + 1] - 1] = *d;
-        }
-        let symbolic = Symbolic::new(&pattern, &amd(&pattern));
-        let mut factor = Cholesky::<f64>::new(symbolic.into());
-        if factor.factor(&values).is_ok() {
-            factor.solve(&mut right, &mut Default::default());
-            for (&v, p) in unknown.iter().zip(&right) {
-                x[v as usize] = Vector3::from(*p);
-            }
-        }
-    }
-
     /// The linear surface: `S_I D (S x - F) = 0` with the fixed positions and the conormal flux `F` of the boundary normals,
     /// on the metric of connectivity alone. (On the metric of a membrane a tube would pinch: its membrane is a thread,
     /// and a thread is conformally endless.)
@@ -149,6 +54,12 @@ impl System {
         formulation: &Formulation,
         control: &mut Control<'_>,
     ) -> Result<Vec<Vector3<f64>>, Collapsed> {
+        self.factor_connectivity(formulation)?;
+        self.linear_solve(control)
+    }
+
+    /// Makes `P` of the metric of connectivity alone.
+    pub(super) fn factor_connectivity(&mut self, formulation: &Formulation) -> Result<(), Collapsed> {
         let mut metric = std::mem::take(&mut self.metric);
         let Domain {
             region,
@@ -162,20 +73,7 @@ impl System {
             None => metric.combinatorial(rings, batches, &formulation.weights),
         }
         self.metric = metric;
-        self.refactor()?;
-        self.linear_solve(control)
-    }
-
-    /// The same on the metric of `membrane`.
-    pub(crate) fn linear_surface_on(
-        &mut self,
-        membrane: &[Vector3<f64>],
-        formulation: &Formulation,
-        control: &mut Control<'_>,
-    ) -> Result<Vec<Vector3<f64>>, Collapsed> {
-        self.evaluate(membrane, formulation);
-        self.rebuild(membrane, formulation, false)?;
-        self.linear_solve(control)
+        self.refactor()
     }
 
     /// Solves on the metric that `P` is factored on, by conjugate gradients with that factor.
@@ -309,15 +207,4 @@ fn add_scaled(x: &mut [[f64; 3]], scale: [f64; 3], y: &[[f64; 3]]) {
             x[c] += scale[c] * y[c];
         }
     }
-}
-
-fn norm(x: &[[f64; 3]]) -> f64 {
-    x.iter()
-        .map(|v| v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
-        .sum::<f64>()
-        .sqrt()
-}
-
-fn norm_of(x: &[Vector3<f64>]) -> f64 {
-    x.iter().map(Vector3::norm_squared).sum::<f64>().sqrt()
 }

@@ -24,9 +24,6 @@ pub(crate) struct IterateOptions {
     pub rounds: usize,
     /// Stop near the solution when triangles are folded or thin: their repair starts anew.
     pub stop_on_folds: bool,
-    /// Take `D` from how the curvature of the surface at hand answers; else from the ring alone, which is coarser and
-    /// safer.
-    pub measured_response: bool,
     /// Begin with the factor of `P` that is there.
     pub reuse_factor: bool,
     /// Frames ([`super::live`]): the surface solved a problem close to this one. What is within the tolerance at first sight has settled,

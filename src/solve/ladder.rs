@@ -4,6 +4,8 @@
 mod coarse_search;
 mod starts;
 
+use std::sync::Arc;
+
 use fairmesh_linear::interrupt::unless_stopped;
 use nalgebra::Vector3;
 
@@ -21,6 +23,7 @@ use super::quasi_newton::Iteration;
 use super::result::{SolveResult, SolveStatus, Trial};
 use super::system::System;
 use crate::discrete::equations::State;
+use crate::discrete::inner_fairness::FairnessWeights;
 use crate::quality::NEEDLE;
 use crate::solve::g2::continuation::Continuation;
 use crate::solve::transition::Transition;
@@ -48,6 +51,8 @@ pub(crate) struct Ladder {
     at_hand: Option<Vec<Vector3<f64>>>,
     /// The linear surface, once it is needed.
     linear: Option<Vec<Vector3<f64>>>,
+    /// The surface of least bending and its inner fairness, once they are needed.
+    least_bending: Option<(Vec<Vector3<f64>>, Arc<FairnessWeights>)>,
     /// The surface of smallest step norm at which an attempt at the solution has stalled since the last one along the normals, and that
     /// step norm.
     stalled: Option<(Vec<Vector3<f64>>, f64)>,
@@ -338,21 +343,17 @@ impl Ladder {
             Start::BesideSound => true,
             _ => attempt.kept == Kept::Start,
         };
+        let is_coarsest = matches!(self.coarse, Some(CoarseResult::NoCoarseMesh));
+        // The coarse mesh has looked for others far off.
+        let is_rival = is_rival && (is_coarsest || attempt.start == Start::BesideSound);
         if self.sound.is_some() && !is_rival {
             return false;
         }
-        let is_coarsest = matches!(self.coarse, Some(CoarseResult::NoCoarseMesh));
         attempt.condition.holds(system, control)
             && match attempt.mesh {
                 MeshLevel::Any => true,
                 MeshLevel::Fine => !is_coarsest,
-                MeshLevel::Coarsest => is_coarsest || self.sound.is_none() && self.has_coarse_solution(),
             }
-    }
-
-    /// Whether the coarse mesh has a harmonic surface: then there ought to be one on the fine mesh too, at any price.
-    fn has_coarse_solution(&self) -> bool {
-        matches!(self.coarse, Some(CoarseResult::Found { member: 0.0, .. }))
     }
 
     /// The member of the family that the coarse mesh has.
@@ -448,15 +449,24 @@ impl Ladder {
             (Some(c), Some(linear)) if c.is_stopped() && !c.poor.is_empty() => (linear, f64::NAN, None),
             (Some(c), _) => {
                 along_normals = c.along_normals;
+                self.left = Some(formulation.weighted(c.weights));
                 (c.x, c.step, Some(c.poor))
             }
-            (None, linear) => (linear.unwrap_or_default(), f64::NAN, None),
+            (None, linear) => {
+                let least = self.least_bending.take().map(|(x, _)| x);
+                (least.or(linear).unwrap_or_default(), f64::NAN, None)
+            }
         };
-        system.evaluate(&x, formulation);
+        let formulation = Formulation {
+            along_normals,
+            ..formulation.weighted(self.left(system).weights)
+        };
+        system.evaluate(&x, &formulation);
         SolveResult {
             status,
             step,
-            defect: system.defect(formulation),
+            defect: system.defect(&formulation),
+            spread_otherwise: system.spread_otherwise(&formulation),
             iterations: control.tally.iterations - self.in_vain,
             poor: poor.unwrap_or_else(|| system.poor(&x, NEEDLE)),
             along_normals,
@@ -477,6 +487,8 @@ mod tests {
             x: Vec::new(),
             status: IterationStatus::Stalled,
             step,
+            weights: FairnessWeights::uniform().into(),
+            spread_otherwise: 0,
             along_normals: false,
             poor: Vec::new(),
             curvature_overshoot: false,

@@ -165,7 +165,7 @@ impl Live {
     pub(crate) fn refresh(&mut self, system: &mut System) {
         if self.iteration.change_since_matrix(system) > LARGEST_GROWTH {
             // Where it fails, so do the steps, and the solve begins anew.
-            let _ = system.rebuild(&self.shown, self.iteration.formulation(), true);
+            let _ = system.rebuild(&self.shown, self.iteration.formulation());
             self.iteration.take_matrix();
         }
     }

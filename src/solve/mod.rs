@@ -4,12 +4,14 @@
 //! frozen matrix ([`bilaplacian`]); [`attempt`] is the table of what is tried in which order, and [`ladder`] goes through it.
 
 pub(crate) mod attempt;
+mod bending;
 pub(crate) mod bilaplacian;
 pub(crate) mod candidate;
 pub(crate) mod coarse;
 mod coarse_result;
 pub(crate) mod control;
 pub(crate) mod curvature_bounds;
+mod descent;
 pub(crate) mod direction;
 pub(crate) mod domain;
 pub(crate) mod factor;
@@ -27,6 +29,7 @@ pub(crate) mod plate;
 pub(crate) mod problem;
 pub(crate) mod procedure;
 pub(crate) mod quasi_newton;
+mod regain;
 pub(crate) mod result;
 mod soft_mode;
 pub(crate) mod step;

@@ -365,7 +365,7 @@ mod tests {
         let mut system = System::by_means(problem, means);
         if on_surface {
             let asked = system.asked().clone();
-            system.rebuild(domain.surface(), &asked, true).unwrap();
+            system.rebuild(domain.surface(), &asked).unwrap();
         } else {
             let mut metric = std::mem::take(&mut system.metric);
             metric.combinatorial(&domain.rings, &domain.batches, problem.weights);
@@ -474,7 +474,7 @@ mod tests {
         with_problem(&("pieces", shape, vec![]), |problem| {
             let mut system = System::by_means(problem, Means::Plate);
             let asked = system.asked().clone();
-            let mut control = Control::new(1e-9, 100, None);
+            let mut control = Control::new(1e-9, 300, None);
             assert!(system.linear_surface(&asked, &mut control).is_ok());
             assert!(!system.is_by_plate());
         });
@@ -503,7 +503,8 @@ mod tests {
         let Ok(LadderState::Ended(result)) = Ladder::default().run(&mut system, &mut control) else {
             panic!("nothing stops it");
         };
-        assert_eq!(result.status, SolveStatus::Converged);
+        // The closed cut, flat with the normals of a sphere, has folds.
+        assert_matches!(result.status, SolveStatus::Converged | SolveStatus::Bump);
         (result.x, result.iterations)
     }
 

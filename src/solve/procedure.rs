@@ -7,6 +7,7 @@ use super::control::Control;
 use super::family::Family;
 use super::formulation::Formulation;
 use super::iterate_options::IterateOptions;
+use super::regain::Regain;
 use super::system::System;
 use super::target_continuation::TargetContinuation;
 use super::weight_repair::{Anew, WeightRepair};
@@ -21,8 +22,8 @@ pub(crate) enum Procedure {
     WeightRepair,
     /// The same, beginning at the surface given each time.
     RepairHere,
-    /// The same, with all weights repaired before.
-    RepairEverywhere,
+    /// The same, and from a sound surface once more with the inner fairness that is asked for.
+    Regain,
     /// Iterations along parts of the right-hand side.
     TargetContinuation,
     /// The same as [`Self::WeightRepair`], with minimal energy as the target.
@@ -40,6 +41,8 @@ pub(crate) enum Underway {
     Single,
     /// See [`Procedure::WeightRepair`].
     WeightRepair(Box<WeightRepair>),
+    /// See [`Procedure::Regain`].
+    Regain(Box<Regain>),
     /// See [`Procedure::TargetContinuation`].
     TargetContinuation(Box<TargetContinuation>),
     /// See [`Procedure::Approach`] and [`Procedure::Retreat`].
@@ -62,10 +65,9 @@ impl Procedure {
                 Underway::Single,
                 Transition::iterate(system, formulation, x, options, control),
             ),
-            Self::WeightRepair | Self::MinimalEnergy | Self::RepairHere | Self::RepairEverywhere => {
+            Self::WeightRepair | Self::MinimalEnergy | Self::RepairHere => {
                 let anew = match self {
                     Self::RepairHere => Anew::FromSurface,
-                    Self::RepairEverywhere => Anew::Everywhere,
                     _ => Anew::FromLinear,
                 };
                 let formulation = match self {
@@ -74,6 +76,10 @@ impl Procedure {
                 };
                 let (repair, next) = WeightRepair::begin(formulation, x, options, anew, system, control);
                 (Underway::WeightRepair(Box::new(repair)), next)
+            }
+            Self::Regain => {
+                let (regain, next) = Regain::begin(formulation, x, options, system, control);
+                (Underway::Regain(Box::new(regain)), next)
             }
             Self::TargetContinuation => {
                 let (continuation, next) =
@@ -103,6 +109,7 @@ impl Underway {
         match self {
             Self::Single => Transition::Done(last),
             Self::WeightRepair(repair) => repair.next(last, system, control),
+            Self::Regain(regain) => regain.next(last, system, control),
             Self::TargetContinuation(continuation) => continuation.next(last, system, control),
             Self::Family(family) => family.next(last, system, control),
         }

@@ -280,14 +280,13 @@ impl Iteration {
             let _ = system.factor_inner(&self.formulation.weights);
         }
         let is_matrix_due = due == Due::Matrix;
-        let measured = self.options.measured_response;
         system.set_modes(&self.modes);
-        if !(is_matrix_due && measured) {
+        if !is_matrix_due {
             system.evaluate(&self.x, &self.formulation);
         }
         let mut made = Ok(());
         if is_matrix_due {
-            made = system.rebuild(&self.x, &self.formulation, measured);
+            made = system.rebuild(&self.x, &self.formulation);
             self.take_matrix();
         }
         // A factorization that is interrupted fails as well.

@@ -193,6 +193,15 @@ impl System {
         }
     }
 
+    /// At how many free vertices this inner fairness is not the one that is asked for.
+    pub(crate) fn spread_otherwise(&self, formulation: &Formulation) -> usize {
+        if formulation.along_normals {
+            return self.free();
+        }
+        let weights = &formulation.weights;
+        weights.differing(&self.asked.weights, &self.domain.batches)
+    }
+
     /// The last evaluation.
     pub(crate) fn state(&self) -> &State {
         &self.state
@@ -284,27 +293,20 @@ impl System {
         self.state = state;
     }
 
-    /// Makes `P` from the last evaluation, which was at `x`. With `response` it evaluates at `x` itself.
-    pub(crate) fn rebuild(
-        &mut self,
-        x: &[Vector3<f64>],
-        formulation: &Formulation,
-        response: bool,
-    ) -> Result<(), Collapsed> {
-        if response {
-            let mut state = std::mem::take(&mut self.state);
-            self.equations(formulation).evaluate_with_response(x, &mut state);
-            self.state = state;
-            self.evaluate_continuity(x, formulation);
-            self.take_smooth_interior_normals();
-        }
+    /// Evaluates at `x`, and makes `P` from that.
+    pub(crate) fn rebuild(&mut self, x: &[Vector3<f64>], formulation: &Formulation) -> Result<(), Collapsed> {
+        let mut state = std::mem::take(&mut self.state);
+        self.equations(formulation).evaluate_with_response(x, &mut state);
+        self.state = state;
+        self.evaluate_continuity(x, formulation);
+        self.take_smooth_interior_normals();
         let mut metric = std::mem::take(&mut self.metric);
-        metric.update(&self.equations(formulation), x, &self.state, response);
+        metric.update(&self.equations(formulation), x, &self.state);
         self.metric = metric;
         let made = self.refactor_at(Some(x));
         let made = made.and_then(|()| self.prepare_continuity(formulation));
         // The next one is far off, and the iterations need the memory.
-        if response && self.free() > LARGE {
+        if self.free() > LARGE {
             self.stacks = Stacks::default();
         }
         made
@@ -343,11 +345,5 @@ impl System {
     pub(crate) fn solve_p<const K: usize>(&mut self, x: &mut [[f64; K]]) {
         let _clock = clock("start: solves with P");
         self.p.solve(x);
-    }
-
-    /// Solves with the factor of `G`, three columns.
-    pub(crate) fn solve_g(&mut self, x: &mut [[f64; 3]]) {
-        let _clock = clock("solves with G");
-        self.g.solve(x);
     }
 }

@@ -47,13 +47,12 @@ impl WeightRepair {
         control: &mut Control<'_>,
     ) -> (Self, Transition) {
         let surface = (anew == Anew::FromSurface).then(|| x.clone());
-        let mut marks = Marks::new(system, &formulation, surface, anew == Anew::Everywhere);
+        let mut marks = Marks::new(system, &formulation, surface);
         system.evaluate(&x, &formulation);
         let needles = system.poor(&x, NEEDLE).len();
         let mut stubborn_needles = None;
         // A start is distributed almost as the result will be: what folds here would be found after the iterations.
         let repairs_start = match anew {
-            Anew::Everywhere => true,
             Anew::FromLinear => !system.poor(&x, THRESHOLDS[0]).is_empty(),
             Anew::FromSurface => !system.poor(&x, SURE).is_empty(),
         };
@@ -143,9 +142,6 @@ pub(crate) enum Anew {
     FromLinear,
     /// At the first one, spread by these weights.
     FromSurface,
-    /// At the linear surface, and the first time already with all weights repaired: where the boundary's edges differ in length, uniform
-    /// weights crowd the vertices on one side, long before a triangle folds.
-    Everywhere,
 }
 
 /// Vertices marked so far.
@@ -160,17 +156,12 @@ struct Marks {
 }
 
 impl Marks {
-    /// Nothing marked, or every vertex.
-    fn new(
-        system: &System,
-        formulation: &Formulation,
-        surface: Option<Vec<Vector3<f64>>>,
-        everywhere: bool,
-    ) -> Self {
+    /// Nothing marked.
+    fn new(system: &System, formulation: &Formulation, surface: Option<Vec<Vector3<f64>>>) -> Self {
         Self {
             surface,
             asked: formulation.weights.clone(),
-            marked: vec![everywhere; system.free()],
+            marked: vec![false; system.free()],
             round: 0,
         }
     }

@@ -115,10 +115,7 @@ fn a_block_beside_the_pole_of_a_sphere_is_faired() {
     assert_below!(farthest, 0.01);
     let attempts = &solution.report.components[0].attempts;
     let last = attempts.last().unwrap();
-    assert_eq!(
-        (last.name, last.end),
-        ("weights repaired everywhere", AttemptEnd::Sound)
-    );
+    assert_eq!((last.name, last.end), ("from least bending", AttemptEnd::Sound));
 }
 
 /// Of the attempts on the coarse mesh, those at harmonic surfaces.

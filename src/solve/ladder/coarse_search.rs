@@ -24,7 +24,7 @@ impl Ladder {
         }
         let clock = Stopwatch::start();
         let (search, trials) = searched(system, control);
-        if let CoarseResult::Missed(status) = &search
+        if let CoarseResult::Missed { status, .. } = &search
             && status.is_linear()
         {
             self.shortfall = Some(status.clone());
@@ -50,16 +50,21 @@ fn searched(system: &System, control: &mut Control<'_>) -> (CoarseResult, Vec<Tr
         ladder.solve(&level.problem(&fine), control)
     });
     let Ok((mut result, state)) = solved else {
-        return (CoarseResult::Missed(SolveStatus::Failed), Vec::new());
+        let missed = CoarseResult::Missed {
+            status: SolveStatus::Failed,
+            x: None,
+        };
+        return (missed, Vec::new());
     };
     let trials = std::mem::take(&mut result.trials);
+    let x = level.prolongate(&fine, &result.x, &state.corrected);
     let member = match result.status {
         SolveStatus::Converged | SolveStatus::AboveTolerance => 0.0,
         SolveStatus::NearestMember(w) => w,
-        status => return (CoarseResult::Missed(status), trials),
+        status => return (CoarseResult::Missed { status, x: Some(x) }, trials),
     };
     let found = CoarseResult::Found {
-        x: level.prolongate(&fine, &result.x, &state.corrected),
+        x,
         member,
         along_normals: result.along_normals,
     };

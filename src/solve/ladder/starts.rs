@@ -1,8 +1,11 @@
 //! Where attempts begin, and with what.
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 
 use super::Ladder;
+use crate::discrete::inner_fairness::FairnessWeights;
 use crate::solve::attempt::{Rung, Start, Weights};
 use crate::solve::coarse_result::CoarseResult;
 use crate::solve::control::{Control, STARTED};
@@ -64,6 +67,26 @@ impl Ladder {
         Ok(true)
     }
 
+    /// Makes the surface of least bending and its inner fairness, if they are not there yet. `None`: there is no linear surface to begin
+    /// at.
+    fn least_bending(
+        &mut self,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Option<(Vec<Vector3<f64>>, Arc<FairnessWeights>)> {
+        if self.least_bending.is_none() {
+            let start = match &self.coarse {
+                Some(CoarseResult::Found { x, .. } | CoarseResult::Missed { x: Some(x), .. }) => x.clone(),
+                _ => self.linear.clone()?,
+            };
+            let asked = system.asked().clone();
+            let x = system.descend(start, &asked, control).ok()?;
+            let weights = FairnessWeights::mean_value(&system.domain.batches, &x);
+            self.least_bending = Some((x, weights.into()));
+        }
+        self.least_bending.clone()
+    }
+
     /// Start and formulation of an attempt; `None` where there is no such start.
     pub(super) fn set_up(
         &mut self,
@@ -73,6 +96,10 @@ impl Ladder {
     ) -> Option<(Vec<Vector3<f64>>, Formulation)> {
         let mut formulation = match attempt.weights {
             Weights::Asked => system.asked().clone(),
+            Weights::LeastBending => {
+                let (_, weights) = self.least_bending(system, control)?;
+                system.asked().weighted(weights)
+            }
             Weights::AsLeft => self.left(system),
             Weights::None => Formulation {
                 along_normals: true,
@@ -87,12 +114,7 @@ impl Ladder {
             Start::MinimalEnergy => self.minimal_energy.clone(),
             Start::Stalled => self.stalled.take().map(|(x, _)| x),
             Start::BesideSound => second_surface(&self.sound.as_ref()?.x, &formulation, system, control),
-            Start::MembraneMetric => {
-                let membrane = system.membrane(&formulation);
-                let mut x = system.linear_surface_on(&membrane, &formulation, control).ok()?;
-                system.tangential_steps(&mut x, &formulation, control);
-                Some(x)
-            }
+            Start::LeastBending => self.least_bending(system, control).map(|(x, _)| x),
         };
         start.map(|x| (x, formulation))
     }

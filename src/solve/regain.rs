@@ -1,0 +1,72 @@
+//! From a sound surface that was found with another inner fairness to the one that is asked for: the shape is one of the boundary alone, and
+//! the vertices lie as asked, wherever they can.
+
+use nalgebra::Vector3;
+
+use super::bending::Bending;
+use super::candidate::Candidate;
+use super::control::Control;
+use super::formulation::Formulation;
+use super::iterate_options::IterateOptions;
+use super::system::System;
+use super::weight_repair::{Anew, WeightRepair};
+use crate::solve::transition::Transition;
+
+/// As asked, edges bend by no more than so many times as much, in squares: where triangles are stretched, uniform weights fold them.
+const BENDS_MORE: f64 = 1.5;
+
+/// The attempt with other weights, and what it has led to.
+#[derive(Debug)]
+pub(crate) struct Regain {
+    repair: WeightRepair,
+    options: IterateOptions,
+    found: Option<Candidate>,
+}
+
+impl Regain {
+    /// Iterates from `x` with the weights of `formulation`.
+    pub(crate) fn begin(
+        formulation: Formulation,
+        x: Vec<Vector3<f64>>,
+        options: IterateOptions,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> (Self, Transition) {
+        let (repair, next) = WeightRepair::begin(formulation, x, options, Anew::FromSurface, system, control);
+        let regain = Self {
+            repair,
+            options,
+            found: None,
+        };
+        (regain, next)
+    }
+
+    /// After an iteration that led to `last`: of two sound surfaces the one as asked.
+    pub(crate) fn next(
+        &mut self,
+        last: Candidate,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Transition {
+        match (self.repair.next(last, system, control), self.found.take()) {
+            (Transition::Done(last), Some(found)) => {
+                let bending = Bending::new(&system.domain, system.boundary_normals());
+                let is_regained =
+                    last.is_sound() && bending.bends(&last.x) <= BENDS_MORE * bending.bends(&found.x);
+                Transition::Done(if is_regained { last } else { found })
+            }
+            (Transition::Done(found), None) if found.is_sound() => {
+                let (asked, x) = (system.asked().clone(), found.x.clone());
+                self.found = Some(found);
+                let (repair, next) =
+                    WeightRepair::begin(asked, x, self.options, Anew::FromSurface, system, control);
+                self.repair = repair;
+                next
+            }
+            (next, found) => {
+                self.found = found;
+                next
+            }
+        }
+    }
+}
