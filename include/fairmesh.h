@@ -591,11 +591,11 @@ enum fairmesh_outcome
      */
     FAIRMESH_OUTCOME_CONVERGED_LOOSELY = 2,
     /**
-     * A surface was found for a part of the target only; that of the linear problem is returned.
+     * A surface was found for a part of the target only; that of least bending is returned.
      */
     FAIRMESH_OUTCOME_TARGET_NOT_REACHABLE = 4,
     /**
-     * No sound surface was found; that of the linear problem is returned.
+     * No sound surface was found; that of least bending is returned.
      */
     FAIRMESH_OUTCOME_NOT_CONVERGED = 5,
     /**
@@ -755,9 +755,9 @@ enum fairmesh_fill_outcome
      */
     FAIRMESH_FILL_OUTCOME_FAIRED = 0,
     /**
-     * Filled with the surface of the linear problem, or the best one when the iterations ran out.
+     * Filled with the surface of least bending, or the best one when the iterations ran out.
      */
-    FAIRMESH_FILL_OUTCOME_LINEAR = 1,
+    FAIRMESH_FILL_OUTCOME_LEAST_BENDING = 1,
     /**
      * Filled with the triangulation, refined, but not faired; the reason says why.
      */
@@ -939,9 +939,9 @@ enum fairmesh_on_failure
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
     /**
-     * The best surface that there is: that of the linear problem, or the faired one that intersects where all do.
+     * The best surface that there is: that of least bending, or the faired one that intersects where all do.
      */
-    FAIRMESH_ON_FAILURE_LINEAR = 0,
+    FAIRMESH_ON_FAILURE_BEST = 0,
     /**
      * The triangulation, refined.
      */
@@ -2083,9 +2083,9 @@ typedef struct fairmesh_report {
      */
     uint32_t loose_reason;
     /**
-     * Not 0: the surface is that of the linear problem.
+     * Not 0: the surface is that of least bending.
      */
-    uint32_t linear_surface;
+    uint32_t least_bending;
     /**
      * Nonlinear iterations: the most of any component.
      */
@@ -2524,9 +2524,9 @@ typedef struct fairmesh_component {
      */
     uint32_t loose_reason;
     /**
-     * Not 0: its surface is that of the linear problem.
+     * Not 0: its surface is that of least bending.
      */
-    uint32_t linear_surface;
+    uint32_t least_bending;
     /**
      * Its free vertex with the smallest index.
      */

@@ -140,7 +140,7 @@ std::string reservation(const fairmesh_fill_report &report) {
         return text("%s (%llu pairs of triangles); %s.", fairmesh::meaning(FAIRMESH_ANSWER_FILL_OUTCOME, report.outcome),
                     static_cast<unsigned long long>(report.intersection_count),
                     fairmesh::remedy(FAIRMESH_ANSWER_FILL_OUTCOME, report.outcome));
-    if (report.outcome == FAIRMESH_FILL_OUTCOME_LINEAR) return "closed with the surface of a linear problem, which is not fair.";
+    if (report.outcome == FAIRMESH_FILL_OUTCOME_LEAST_BENDING) return "closed with the surface of least bending, which is not fair.";
     if (report.coarsened) return "closed with a coarser patch, to keep to the number of new vertices.";
     return "";
 }

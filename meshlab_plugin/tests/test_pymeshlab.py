@@ -194,7 +194,7 @@ class Answers(Case):
         "target": {"minimal_energy": "Elastic sheet"},
         "boundary_normals": {"averaged": "Averaged"},
         "join": {"auto": "What belongs together", "none": "No"},
-        "on_failure": {"linear": "Best there is", "flat": "Flat", "open": "Nothing"},
+        "on_failure": {"best": "Best there is", "flat": "Flat", "open": "Nothing"},
     }
     SAME = ("continuity", "tolerance", "max_iterations", "density", "max_new_vertices", "relax_rim", "relax_within")
     SAME += ("max_edges", "max_length", "max_area", "max_diagonal", "except_longest")

@@ -106,9 +106,9 @@ pub enum fairmesh_outcome {
     ConvergedPoorTriangles = 1,
     /// Tolerance met, and no triangle is poor, but the surface has a reservation, which the reason names.
     ConvergedLoosely = 2,
-    /// A surface was found for a part of the target only; that of the linear problem is returned.
+    /// A surface was found for a part of the target only; that of least bending is returned.
     TargetNotReachable = 4,
-    /// No sound surface was found; that of the linear problem is returned.
+    /// No sound surface was found; that of least bending is returned.
     NotConverged = 5,
     /// The iterations ran out; the best surface so far is returned.
     IterationLimit = 6,
@@ -167,8 +167,8 @@ pub enum fairmesh_attempt_end {
 pub enum fairmesh_fill_outcome {
     /// Filled with a faired surface; its report says with which reservations.
     Faired = 0,
-    /// Filled with the surface of the linear problem, or the best one when the iterations ran out.
-    Linear = 1,
+    /// Filled with the surface of least bending, or the best one when the iterations ran out.
+    LeastBending = 1,
     /// Filled with the triangulation, refined, but not faired; the reason says why.
     Flat = 2,
     /// Left as it was; the reason says why.
@@ -268,8 +268,8 @@ pub enum fairmesh_gap_kind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[allow(dead_code, reason = "numbers for C")]
 pub enum fairmesh_on_failure {
-    /// The best surface that there is: that of the linear problem, or the faired one that intersects where all do.
-    Linear = 0,
+    /// The best surface that there is: that of least bending, or the faired one that intersects where all do.
+    Best = 0,
     /// The triangulation, refined.
     Flat = 1,
     /// None: it is left open.

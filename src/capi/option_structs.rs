@@ -139,7 +139,7 @@ impl fairmesh_fill_options {
     pub(crate) fn standard() -> Self {
         Self {
             struct_size: size_of::<Self>() as u32,
-            on_failure: fairmesh_on_failure::Linear as u32,
+            on_failure: fairmesh_on_failure::Best as u32,
             fair: 1,
             only_listed: 0,
             join: fairmesh_join::default(),

@@ -13,8 +13,8 @@ pub struct fairmesh_report {
     pub outcome: u32,
     /// A `fairmesh_loose_reason`: what the outcome CONVERGED_LOOSELY is about.
     pub loose_reason: u32,
-    /// Not 0: the surface is that of the linear problem.
-    pub linear_surface: u32,
+    /// Not 0: the surface is that of least bending.
+    pub least_bending: u32,
     /// Nonlinear iterations: the most of any component.
     pub iterations: u64,
     /// Defect of the equation: max_i |sum_j w_ij (H_i - H_j) + (2 A_i / 3) rhs_i| / sum_j |w_ij|, times the diagonal.
@@ -99,8 +99,8 @@ pub struct fairmesh_component {
     pub outcome: u32,
     /// A `fairmesh_loose_reason`: what the outcome CONVERGED_LOOSELY is about.
     pub loose_reason: u32,
-    /// Not 0: its surface is that of the linear problem.
-    pub linear_surface: u32,
+    /// Not 0: its surface is that of least bending.
+    pub least_bending: u32,
     /// Its free vertex with the smallest index.
     pub vertex: u64,
     /// Its free vertices.

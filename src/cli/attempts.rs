@@ -73,7 +73,7 @@ mod tests {
             defect: 0.0,
             step: 0.0,
             diagonal: 1.0,
-            linear_surface: false,
+            least_bending: false,
             attempts: vec![
                 attempt("direct", AttemptEnd::NotConverged, f64::NAN),
                 attempt("membrane metric", AttemptEnd::Sound, 12.5),

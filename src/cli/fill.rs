@@ -338,7 +338,7 @@ pub fn told(report: &LoopReport) -> String {
     });
     let mut text = match &report.outcome {
         FillOutcome::Faired => ended,
-        FillOutcome::Linear => format!("{ended}: the linear surface"),
+        FillOutcome::LeastBending => format!("{ended}: the surface of least bending"),
         FillOutcome::Flat { reason } => match reason {
             FlatReason::NotAsked => "triangulated and refined".into(),
             FlatReason::NoInnerVertex => "triangulated; no new vertex was needed".into(),

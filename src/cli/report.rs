@@ -183,8 +183,8 @@ impl Summary<'_> {
     fn tell_remarks(&self, table: &mut Table) {
         self.tell_intersections(table);
         let report = self.report;
-        if report.linear_surface {
-            table.row("surface", "the linear one");
+        if report.least_bending {
+            table.row("surface", "that of least bending");
         }
         let count = report.fallback_weights;
         if count > 0 {
@@ -236,7 +236,7 @@ impl Summary<'_> {
             "components": report.components.iter().map(|c| self.component(c)).collect::<Vec<_>>(),
             "free_vertices": report.free_vertices,
             "diagonal": report.diagonal,
-            "linear_surface": report.linear_surface,
+            "least_bending": report.least_bending,
             "suspicious_normals": report.suspicious_normals,
             "creased_vertices": creased(self.report),
             "reached": reached,
@@ -274,7 +274,7 @@ impl Summary<'_> {
             "defect": of.defect,
             "step": of.step,
             "diagonal": of.diagonal,
-            "linear_surface": of.linear_surface,
+            "least_bending": of.least_bending,
             "member_weight": member_weight(&of.outcome),
             "attempts": attempts::json(&of.attempts),
             "continuity": continuity::json(&of.continuity),
@@ -374,7 +374,7 @@ mod tests {
             levels: Vec::new(),
             free_vertices: 1,
             diagonal: 2.0,
-            linear_surface: true,
+            least_bending: true,
             suspicious_normals: vec![4],
             fallback_weights: 0,
             self_intersections: Some(SelfIntersections {
@@ -395,7 +395,7 @@ mod tests {
             defect: 0.5,
             step: f64::NAN,
             diagonal: 2.0,
-            linear_surface: false,
+            least_bending: false,
             attempts: Vec::new(),
             quality: Quality {
                 worst_angle: 31.0,

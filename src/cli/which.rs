@@ -11,7 +11,7 @@ use crate::join::{self, JoinArg};
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum OnFailureKind {
     /// The best surface found; the report says which
-    Linear,
+    Best,
     /// The triangulation, refined
     Flat,
     /// Leave it open
@@ -62,7 +62,7 @@ pub struct WhichArgs {
         long,
         value_enum,
         value_name = "WHAT",
-        default_value = "linear",
+        default_value = "best",
         verbatim_doc_comment
     )]
     on_failure: OnFailureKind,
@@ -75,7 +75,7 @@ impl WhichArgs {
 
     pub fn on_failure(&self) -> OnFailure {
         match self.on_failure {
-            OnFailureKind::Linear => OnFailure::Linear,
+            OnFailureKind::Best => OnFailure::Best,
             OnFailureKind::Flat => OnFailure::Flat,
             OnFailureKind::Open => OnFailure::Open,
         }

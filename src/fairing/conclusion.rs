@@ -163,7 +163,7 @@ impl Found<'_> {
             defect: result.defect,
             step: result.step,
             diagonal: diagonal(&result.x) * prepared.normalization.scale,
-            linear_surface: result.status.is_linear(),
+            least_bending: result.status.is_linear(),
             attempts: result.trials.iter().map(Attempt::new).collect(),
             quality,
             continuity: self.continuity(),

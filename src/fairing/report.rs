@@ -48,12 +48,12 @@ pub enum Outcome {
         /// What.
         reason: LooseReason,
     },
-    /// A surface was found only for a part of the right-hand side of [`Options::target`]; the linear surface is returned.
+    /// A surface was found only for a part of the right-hand side of [`Options::target`]; that of least bending is returned.
     TargetNotReachable {
         /// The part, 0 to 1: a constant `c` was too large by the inverse.
         reached: f64,
     },
-    /// No sound nonlinear surface was found; the linear surface is returned.
+    /// No sound surface was found; that of least bending is returned, tangent to the surroundings as far as it can be.
     NotConverged,
     /// The iteration limit was reached; the best surface so far is returned.
     IterationLimit,
@@ -117,10 +117,10 @@ table!(Outcome {
         "tolerance met, and no triangle is poor, but the surface has a reservation, which the reason names",
         "see the remedy of the reason";
     4 "target_not_reachable" Outcome::TargetNotReachable { .. } =>
-        "a surface was found for a part of the target only; that of the linear problem is returned",
+        "a surface was found for a part of the target only; that of least bending is returned",
         "ask for a smaller constant, or select a smaller region";
     5 "not_converged" Outcome::NotConverged =>
-        "no sound surface was found; that of the linear problem is returned",
+        "no sound surface was found; that of least bending is returned",
         "select more, check the boundary normals (flipped? noise?) or average them, or remesh the region";
     6 "iteration_limit" Outcome::IterationLimit =>
         "the iterations ran out; the best surface so far is returned",
@@ -393,8 +393,8 @@ pub struct ComponentReport {
     pub step: f64,
     /// Its bounding-box diagonal, in the unit of the positions: the unit of its tolerance.
     pub diagonal: f64,
-    /// Its surface is the linear one: no sound nonlinear surface was found.
-    pub linear_surface: bool,
+    /// Its surface is that of least bending: no sound harmonic one was found.
+    pub least_bending: bool,
     /// What was tried, in its order: on the coarse mesh, where the component is large, and then on its own. Empty for
     /// [`SolverKind::Paper`].
     pub attempts: Vec<Attempt>,
@@ -432,8 +432,8 @@ pub struct Report {
     pub free_vertices: usize,
     /// The largest bounding-box diagonal of a component, in the unit of the positions.
     pub diagonal: f64,
-    /// The returned surface, or that of some component, is the linear one: no sound nonlinear surface was found.
-    pub linear_surface: bool,
+    /// The returned surface, or that of some component, is that of least bending: no sound harmonic one was found.
+    pub least_bending: bool,
     /// Boundary vertices whose prescribed normal points against the surface beside it or contradicts its
     /// neighbours': probably flipped or wrong.
     pub suspicious_normals: Vec<u32>,

@@ -90,7 +90,7 @@ fn report(options: &Options, components: &[ComponentSolution], crossings: Option
         levels: levels(components),
         free_vertices: reports().map(|r| r.free_vertices).sum(),
         diagonal: largest(reports().map(|r| r.diagonal)),
-        linear_surface: reports().any(|r| r.linear_surface),
+        least_bending: reports().any(|r| r.least_bending),
         suspicious_normals: ascending(components, |c| &c.suspicious_normals),
         fallback_weights: components.iter().map(|c| c.fallback_weights).sum(),
         self_intersections,

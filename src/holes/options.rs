@@ -121,8 +121,8 @@ choices! {
     #[derive(Default)]
     #[non_exhaustive]
     OnFailure {
-        #[default] 0 "linear" Linear =>
-            "the best surface that there is: that of the linear problem, or the faired one that intersects where all do", "";
+        #[default] 0 "best" Best =>
+            "the best surface that there is: that of least bending, or the faired one that intersects where all do", "";
         1 "flat" Flat => "the triangulation, refined", "";
         2 "open" Open => "none: it is left open", "";
     }

@@ -92,9 +92,9 @@ pub enum FillOutcome {
     /// Filled with a faired surface that meets the tolerance; its report says with which reservations, one of them that the
     /// surface is not harmonic, but the [nearest member](Outcome::NearestMember) of a family.
     Faired,
-    /// Filled, but the fair surface was not found: the surface of the linear problem with the same boundary data, or the
+    /// Filled, but the fair surface was not found: the surface of least bending with the same boundary data, or the
     /// best one when the iterations ran out.
-    Linear,
+    LeastBending,
     /// Filled with the triangulation, refined: not tangent to the surroundings.
     Flat {
         /// Why.
@@ -109,8 +109,8 @@ pub enum FillOutcome {
 
 table!(FillOutcome {
     0 "faired" FillOutcome::Faired => "filled with a faired surface; its report says with which reservations", "";
-    1 "linear" FillOutcome::Linear =>
-        "filled with the surface of the linear problem, or the best one when the iterations ran out",
+    1 "least_bending" FillOutcome::LeastBending =>
+        "filled with the surface of least bending, or the best one when the iterations ran out",
         "see the remedy of the fairing's outcome";
     2 "flat" FillOutcome::Flat { .. } =>
         "filled with the triangulation, refined, but not faired; the reason says why", "see the remedy of the reason";
@@ -146,7 +146,7 @@ impl FillOutcome {
         }
         match of.is_tolerance_met() {
             true => Self::Faired,
-            false => Self::Linear,
+            false => Self::LeastBending,
         }
     }
 }
@@ -326,6 +326,6 @@ mod tests {
             assert_eq!(FillOutcome::of_fairing(outcome, true), flat);
         }
         let left = FillOutcome::of_fairing(&Outcome::IterationLimit, false);
-        assert_eq!(left, FillOutcome::Linear);
+        assert_eq!(left, FillOutcome::LeastBending);
     }
 }

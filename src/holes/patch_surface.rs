@@ -107,7 +107,7 @@ impl PatchSurface {
     /// Faired, or not asked to be.
     pub(super) fn is_fair(&self) -> bool {
         match &self.outcome {
-            FillOutcome::Linear => false,
+            FillOutcome::LeastBending => false,
             FillOutcome::Flat { reason } => {
                 matches!(reason, FlatReason::NotAsked | FlatReason::NoInnerVertex)
             }

@@ -682,7 +682,7 @@ static void joined_by_themselves(const Ball *ball) {
     first_two_are_joined(result);
     OK(fairmesh_result_free(result));
 
-    CHECK(fill.join.kind == FAIRMESH_JOIN_KIND_NONE && fill.on_failure == FAIRMESH_ON_FAILURE_LINEAR && fill.only_listed == 0);
+    CHECK(fill.join.kind == FAIRMESH_JOIN_KIND_NONE && fill.on_failure == FAIRMESH_ON_FAILURE_BEST && fill.only_listed == 0);
     fill.join.kind = FAIRMESH_JOIN_KIND_AUTO;
     OK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error));
     check_whole_sphere(result);

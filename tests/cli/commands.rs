@@ -267,7 +267,7 @@ fn the_report_is_told_and_written() {
     for end in 0..2 {
         assert!((json["quality"]["h_inside"][end].as_f64().unwrap() + 1.0).abs() < 0.01);
     }
-    assert_eq!(json["linear_surface"], false);
+    assert_eq!(json["least_bending"], false);
     assert!(json["reason"].is_null());
     let seconds = |key: &str| json["seconds"][key].as_f64().unwrap();
     assert!(seconds("setup") <= seconds("solve"));

@@ -323,7 +323,7 @@ fn tilted_normals() {
         } else {
             // Trumpets that widen outwards by so much are not found, but a neighbouring equation has such surfaces.
             bars.ends(&what, &solution, "nearest_member");
-            bars.check(&what, !r.linear_surface, "the linear surface".to_owned());
+            bars.check(&what, !r.least_bending, "the surface of least bending".to_owned());
             let attempts = &r.components[0].attempts;
             let last = attempts.last().expect("it was tried");
             let found = (last.name, last.end, last.free_vertices);

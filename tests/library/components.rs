@@ -215,7 +215,7 @@ fn a_component_that_fails_spoils_no_other() {
     assert_success(&components[0].outcome);
     assert!(!components[1].outcome.is_success(), "{:?}", components[1].outcome);
     assert_eq!(together.report.outcome, components[1].outcome);
-    assert_eq!(together.report.linear_surface, components[1].linear_surface);
+    assert_eq!(together.report.least_bending, components[1].least_bending);
 }
 
 /// Single free vertices all over a surface. The callback is not called for each of them.

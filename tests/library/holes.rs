@@ -621,7 +621,7 @@ fn a_boundary_without_a_fair_filling_ends_honestly_and_soon() {
         .is_some_and(|f| f.outcome == Outcome::Converged);
     match &report.outcome {
         FillOutcome::Faired => assert!(converged, "{:?}", report.fairing),
-        FillOutcome::Linear => assert!(!converged && report.outside.is_empty()),
+        FillOutcome::LeastBending => assert!(!converged && report.outside.is_empty()),
         FillOutcome::Flat { reason } => {
             assert!(!converged);
             assert_eq!(*reason, FlatReason::Unsound);

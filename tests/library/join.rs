@@ -533,7 +533,7 @@ fn what_has_no_fair_patch_stays_open_if_asked() {
         open.loops[0].outcome
     );
     assert_eq!(open.triangles, shape.triangles);
-    for on_failure in [OnFailure::Linear, OnFailure::Flat] {
+    for on_failure in [OnFailure::Best, OnFailure::Flat] {
         assert_above!(with(on_failure).triangles.len(), shape.triangles.len());
     }
 }

@@ -165,7 +165,7 @@ fn where_no_harmonic_surface_is_found_the_nearest_member_is_the_answer() {
         );
         assert_above!(weight, 0.0);
         assert_at_most!(weight, 1.0);
-        assert!(!report.linear_surface);
+        assert!(!report.least_bending);
         assert_at_most!(report.step, 1e-8);
         assert!(report.quality.is_sound(), "{:?}", report.quality);
         // Normals are met as triangles can.

@@ -112,7 +112,7 @@ fn a_crease_along_the_boundary_is_no_success() {
             1e-6
         );
         assert_above!(quality.boundary_kink, 45.0);
-        assert!(!solution.report.linear_surface);
+        assert!(!solution.report.least_bending);
         assert!(!solution.report.outcome.remedy().is_empty());
         named.push(vertices.clone());
     }

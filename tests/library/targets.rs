@@ -328,7 +328,7 @@ fn what_is_too_large_ends_honestly() {
         assert!(!outcome.is_success(), "{outcome:?}");
         if let Outcome::TargetNotReachable { reached } = outcome {
             assert_contains!(0.0..1.0, reached);
-            assert!(solution.report.linear_surface, "{:?}", solution.report.outcome);
+            assert!(solution.report.least_bending, "{:?}", solution.report.outcome);
         }
         assert_all!(solution.positions.iter().flatten(), |x| x.is_finite());
         for (v, p) in solution

@@ -22,7 +22,7 @@ class PatchOptions:
     on_failure: selection(
         "If Not Fair",
         "What a hole gets whose patch is not fair, creased, intersects something or has another flaw",
-        ("LINEAR", "Best There Is", "The best surface that is found; a warning says what it lacks"),
+        ("BEST", "Best There Is", "The best surface that is found; a warning says what it lacks"),
         ("FLAT", "Flat", "The patch as triangulated"),
         ("OPEN", "Nothing", "It stays open"),
     )

@@ -247,7 +247,7 @@ def test_misspelt_keywords_of_other_functions():
         with pytest.raises(TypeError) as error:
             function(VERTICES, FACES, **{given: 1})
         assert str(error.value) == f"unknown option {given!r}; did you mean {meant!r}?"
-    with pytest.raises(ValueError, match=re.escape("on_failure: 'opne' is none of 'linear', 'flat', 'open'; did you")):
+    with pytest.raises(ValueError, match=re.escape("on_failure: 'opne' is none of 'best', 'flat', 'open'; did you")):
         fairmesh.fill_holes(VERTICES, FACES, on_failure="opne")
 
 

@@ -119,7 +119,7 @@ def test_wrong_choices_are_named():
         "join: groups of loops are needed, such as [[0, 1], [2, 5]]": {"join": [0, 1]},
         "loops: 'none' is neither 'all' nor a list of loops": {"loops": "none"},
         "loops: no loop is named; None fills all holes": {"loops": []},
-        "on_failure: 'closed' is none of 'linear', 'flat', 'open'": {"on_failure": "closed"},
+        "on_failure: 'closed' is none of 'best', 'flat', 'open'": {"on_failure": "closed"},
         "within: a ball (centre, radius) or a box (low, high) is needed": {"within": 3},
         "within: 2 numbers, but 3 are needed": {"within": ([0, 0], 1)},
         "of_components: no component is named; None takes all holes": {"of_components": []},

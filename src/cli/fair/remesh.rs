@@ -22,11 +22,11 @@ pub fn remesh(
     threads: usize,
 ) -> Result<FairInput<'static>, fairmesh::Error> {
     let is_poor = matches!(rough.report.outcome, Outcome::ConvergedPoorTriangles { .. });
-    let refilled = match rough.report.linear_surface || is_poor {
+    let refilled = match rough.report.least_bending || is_poor {
         true => refill(input, coincident, threads)?,
         false => None,
     };
-    let positions = if rough.report.linear_surface {
+    let positions = if rough.report.least_bending {
         &input.geometry.positions
     } else {
         &rough.positions
