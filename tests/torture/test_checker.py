@@ -183,9 +183,8 @@ def test_a_kink_beside_a_doubled_vertex_is_measured_against_both_its_sides():
 
 
 def test_exit_0_does_not_stand_beside_an_unfaired_loop():
-    assert not clean(
-        {"outcome": "least_bending", "told": "not converged: the surface of least bending", "fairing": {"outcome": "not_converged"}}
-    )
+    told = "not converged: the surface of least bending"
+    assert not clean({"outcome": "least_bending", "told": told, "fairing": {"outcome": "not_converged"}})
     assert not clean({"outcome": "flat", "told": "triangulated and refined only: no normal", "fairing": None})
     assert clean({"outcome": "flat", "told": "triangulated; no new vertex was needed", "fairing": None})
 
