@@ -1,9 +1,10 @@
 //! A discrete bending energy with a barrier against slivers and folds.
 //!
-//! E = sum over edges `theta^2 |e|^2 / (|N_1| + |N_2|)` + mu sum over triangles `Q`: `theta` is the angle between the triangles on both
-//! sides, `N` a vector across each, twice as long as its area (E. Grinspun et al., "Discrete shells", 2003). Along the boundary the prescribed
-//! normals stand for the triangles outside, mirrored. `Q` is the conformal distortion of a triangle (K. Hormann, G. Greiner, "MIPS",
-//! 2000): 0 for one of the shape that connectivity gives it, and infinite for one without area. Neither sum has a unit.
+//! E = sum over edges `psi^2 |e|^2 / (|N_1| + |N_2|)` + mu sum over triangles `Q`: `psi` is twice the tangent of half the angle between the
+//! triangles on both sides, infinite where they lie on each other, and `N` a vector across each, twice as long as its area (E. Grinspun et al.,
+//! "Discrete shells", 2003). Along the boundary the prescribed normals stand for the triangles outside, mirrored. `Q` is the conformal
+//! distortion of a triangle (K. Hormann, G. Greiner, "MIPS", 2000): 0 for one of the shape that connectivity gives it, and infinite for one
+//! without area. Neither sum has a unit.
 
 use fairmesh_linear::parallel;
 use nalgebra::Vector3;
@@ -11,7 +12,8 @@ use nalgebra::Vector3;
 use super::domain::Domain;
 use crate::mesh::halfedge::NONE;
 
-/// Weight mu of the distortion.
+/// Weight mu of the distortion. Of 244 regions that the direct way does not solve, half: 1 more succeeds; double: 3 more; four times: 3 more, but
+/// of 70 bands of stretched triangles 5 fewer.
 const DISTORTION: f64 = 8e-3;
 
 /// The energy of a region between boundary data.
@@ -71,7 +73,7 @@ impl<'a> Bending<'a> {
             let halves = (0..3).filter_map(|k| {
                 let edge = corners[(k + 1) % 3] - corners[k];
                 let bend = self.bend((3 * t + k) as u32, &edge, &across[t], &across)?;
-                Some(0.5 * bend.theta * bend.theta * edge.norm_squared() / bend.areas)
+                Some(0.5 * bend.psi * bend.psi * edge.norm_squared() / bend.areas)
             });
             halves.sum::<f64>()
         });
@@ -106,15 +108,15 @@ impl<'a> Bending<'a> {
             let Some(bend) = bend else { continue };
             // Half of the edge's energy is this triangle's, all of what its corner opposite does is its own.
             let weight = square / bend.areas;
-            let part = bend.theta * bend.theta * weight;
+            let part = bend.psi * bend.psi * weight;
             energy += 0.5 * part;
             of_area -= part / bend.areas;
             let along = (corners[(k + 2) % 3] - corners[l]).dot(&edge) / square;
-            let turn = own.unit * (-2.0 * bend.theta * weight * square.sqrt() / own.length);
+            let turn = own.unit * (-2.0 * bend.psi * bend.slope * weight * square.sqrt() / own.length);
             gradient[(k + 2) % 3] += turn;
             gradient[l] -= turn * (1.0 - along);
             gradient[r] -= turn * along;
-            let stretch = edge * (bend.theta * bend.theta / bend.areas);
+            let stretch = edge * (bend.psi * bend.psi / bend.areas);
             gradient[l] -= stretch;
             gradient[r] += stretch;
         }
@@ -138,8 +140,10 @@ impl<'a> Bending<'a> {
         let o = half_edges.opposite[h as usize];
         if o != NONE && half_edges.in_region(o) {
             let other = across[o as usize / 3];
+            let half = half_tangent(edge, &own.unit, &other.unit);
             return Some(Bend {
-                theta: signed_angle(edge, &own.unit, &other.unit),
+                psi: 2.0 * half,
+                slope: 1.0 + half * half,
                 areas: own.length + other.length,
             });
         }
@@ -149,9 +153,11 @@ impl<'a> Bending<'a> {
         let direction = edge.try_normalize(0.0)?;
         let sum = a + b;
         let normal = (sum - direction * sum.dot(&direction)).try_normalize(1e-9)?;
+        let half = half_tangent(edge, &own.unit, &normal);
         // Mirrored, the surface bends by twice as much; half of that edge is this side's.
         Some(Bend {
-            theta: 2.0 * signed_angle(edge, &own.unit, &normal),
+            psi: 4.0 * half,
+            slope: 1.0 + half * half,
             areas: 2.0 * own.length,
         })
     }
@@ -159,8 +165,10 @@ impl<'a> Bending<'a> {
 
 /// How a surface bends at an edge.
 struct Bend {
-    /// The angle between the triangles on both sides.
-    theta: f64,
+    /// Twice the tangent of half the angle between the triangles on both sides,
+    psi: f64,
+    /// and its derivative by that angle.
+    slope: f64,
     /// Twice the area of both.
     areas: f64,
 }
@@ -175,9 +183,10 @@ impl Across {
     }
 }
 
-/// The angle by which one unit vector is turned from another one, positive counter-clockwise seen against `axis`.
-fn signed_angle(axis: &Vector3<f64>, from: &Vector3<f64>, to: &Vector3<f64>) -> f64 {
-    libm::atan2(from.cross(to).dot(axis) / axis.norm(), from.dot(to))
+/// The tangent of half the angle by which one unit vector is turned from another one, positive counter-clockwise seen against `axis`.
+fn half_tangent(axis: &Vector3<f64>, from: &Vector3<f64>, to: &Vector3<f64>) -> f64 {
+    let sine = from.cross(to).dot(axis) / axis.norm();
+    sine / (1.0 + from.dot(to)).max(f64::EPSILON)
 }
 
 /// The cotangents of a triangle's angles, each of that opposite to the edge of this length.
