@@ -105,17 +105,6 @@ impl FairnessWeights {
         clamped_cotangents(&input[i], weights.len(), ring, |k, w| weights[k][lane] = w)
     }
 
-    /// At how many free vertices these weights are not those.
-    pub(crate) fn differing(&self, those: &Self, batches: &ValenceBatches) -> usize {
-        let differs = |i: &usize| {
-            let (slots, lane) = batches.ring_slots(*i);
-            slots
-                .clone()
-                .any(|slot| self.at(slot, lane) != those.at(slot, lane))
-        };
-        (0..batches.free()).filter(differs).count()
-    }
-
     /// Gives one vertex the mean-value weights of the input mesh, `(tan(a/2) + tan(b/2)) / |q_j - q_i|` with the angles `a`,
     /// `b` beside the edge, scaled to the sum of uniform ones: convex for any ring. M. S. Floater, "Mean value
     /// coordinates", CAGD 20 (2003).

@@ -60,7 +60,11 @@ impl Found<'_> {
             report,
             boundary: domain.region.boundary,
             suspicious_normals,
-            fallback_weights: self.result.spread_otherwise.max(self.prepared.weights.clamped),
+            fallback_weights: if self.result.spread_otherwise {
+                domain.region.free
+            } else {
+                self.prepared.weights.clamped
+            },
             levels: self.levels,
             seconds,
         }

@@ -82,7 +82,7 @@ pub(crate) fn solve(
     level.evaluate(&x);
     let (defect, _) = problem.equations().defect(&level.state);
     let result = SolveResult {
-        spread_otherwise: 0,
+        spread_otherwise: false,
         status: status(problem, &level.state, &x, ended.status, control),
         poor: surface(problem, &level.state, &x).poor(NEEDLE),
         step: ended.step,

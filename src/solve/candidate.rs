@@ -1,7 +1,5 @@
 //! What an attempt has led to, and how good it is.
 
-use std::sync::Arc;
-
 use nalgebra::Vector3;
 
 use super::formulation::Formulation;
@@ -9,7 +7,6 @@ use super::iterate_options::IterationStatus;
 use super::result::TrialEnd;
 use super::system::System;
 use crate::discrete::equations::State;
-use crate::discrete::inner_fairness::FairnessWeights;
 use crate::quality::NEEDLE;
 use crate::quality::crease::{creases_by_outside, kinks_as_given};
 use crate::quality::folds::Folds;
@@ -36,12 +33,8 @@ pub(crate) struct Candidate {
     pub status: IterationStatus,
     /// Its step norm.
     pub step: f64,
-    /// The inner fairness that spreads its vertices,
-    pub weights: Arc<FairnessWeights>,
-    /// and at how many of them it is not the one that is asked for.
-    pub spread_otherwise: usize,
-    /// Its vertices are where the normals have led them: inner fairness was not asked of them.
-    pub along_normals: bool,
+    /// What it solves, and what spreads its vertices.
+    pub formulation: Formulation,
     /// Its poor triangles (local numbers).
     pub poor: Vec<u32>,
     /// Its mean curvature inside exceeds what the equation allows ([`super::curvature_bounds`]).
@@ -91,9 +84,7 @@ impl Candidate {
             suspicious_normals: surface.suspicious_normals(&domain.rings, &domain.input).len(),
             status,
             step,
-            weights: formulation.weights.clone(),
-            spread_otherwise: system.spread_otherwise(formulation),
-            along_normals: formulation.along_normals,
+            formulation: formulation.clone(),
             poor: surface.poor(NEEDLE),
             curvature_overshoot: system.overshoots(formulation),
             detached_from_normals: surface.is_detached_from_normals(),
@@ -154,10 +145,10 @@ impl Candidate {
         )
     }
 
-    /// Of two sound surfaces the one of less bending energy is the better one, unless it turns away from boundary normals, or none of its
-    /// vertices is spread as asked: on coarse meshes that alone changes the energy by a third.
+    /// Of two sound surfaces the one of less bending energy is the better one, unless it turns away from boundary normals, or has the weights of
+    /// the surface of least bending: on coarse meshes these alone change the energy by a third.
     pub(crate) fn is_better_than(&self, other: &Self) -> bool {
-        let is_as_asked = self.spread_otherwise <= other.spread_otherwise.max(self.x.len() / 2);
+        let is_as_asked = other.formulation.of_least_bending || !self.formulation.of_least_bending;
         is_as_asked
             && self.bending_energy < (1.0 - LESS_ENERGY) * other.bending_energy
             && self.suspicious_normals <= other.suspicious_normals

@@ -12,11 +12,18 @@ pub(crate) struct Formulation {
     pub right_hand_side: RightHandSide,
     /// Inner fairness (7.3).
     pub weights: Arc<FairnessWeights>,
+    /// They are those of the surface of least bending in place of those that are asked for.
+    pub of_least_bending: bool,
     /// Steps have no tangential part: inner fairness is not asked for.
     pub along_normals: bool,
 }
 
 impl Formulation {
+    /// Whether no vertex is spread as asked.
+    pub(crate) fn spreads_otherwise(&self) -> bool {
+        self.of_least_bending || self.along_normals
+    }
+
     /// The same with the member `w` of the family between the harmonic equation and minimal energy.
     pub(crate) fn member(&self, w: f64) -> Self {
         Self {

@@ -226,13 +226,11 @@ impl Ladder {
                         if candidate.is_stopped() && !control.cancelled && self.fallback.is_some() {
                             break self.give_up(system, control);
                         }
-                        let formulation = self.formulation(system);
-                        break self.result(Some(candidate), status, &formulation, system, control);
+                        break self.result(Some(candidate), status, system, control);
                     }
                 }
                 Transition::Member(candidate, w) => {
-                    let (status, formulation) = (SolveStatus::NearestMember(w), self.left(system).member(w));
-                    break self.result(Some(candidate), status, &formulation, system, control);
+                    break self.result(Some(candidate), SolveStatus::NearestMember(w), system, control);
                 }
                 Transition::Short(status) => {
                     self.underway = None;
@@ -289,7 +287,7 @@ impl Ladder {
         if let Transition::Done(candidate) = next
             && attempt.kept == Kept::Result
             && candidate.status == IterationStatus::Stalled
-            && !candidate.along_normals
+            && !candidate.formulation.along_normals
             && self
                 .stalled
                 .as_ref()
@@ -411,8 +409,7 @@ impl Ladder {
     fn settle(&mut self, system: &mut System, control: &Control<'_>) -> SolveResult {
         self.in_vain = control.tally.iterations - self.until_sound;
         let candidate = self.sound.take();
-        let formulation = self.left(system);
-        self.result(candidate, SolveStatus::Converged, &formulation, system, control)
+        self.result(candidate, SolveStatus::Converged, system, control)
     }
 
     /// After the last attempt: the best of what there is.
@@ -423,15 +420,13 @@ impl Ladder {
             Some(_) => SolveStatus::Converged,
             None => self.shortfall.take().unwrap_or(SolveStatus::Failed),
         };
-        let formulation = self.left(system);
-        self.result(candidate, status, &formulation, system, control)
+        self.result(candidate, status, system, control)
     }
 
     fn result(
         &mut self,
         candidate: Option<Candidate>,
         status: SolveStatus,
-        formulation: &Formulation,
         system: &mut System,
         control: &Control<'_>,
     ) -> SolveResult {
@@ -443,13 +438,16 @@ impl Ladder {
             status => status,
         };
         let linear = self.linear.take();
-        let mut along_normals = false;
+        let mut formulation = Formulation {
+            along_normals: false,
+            ..self.left(system)
+        };
         let (x, step, poor) = match (candidate, linear) {
             // Stopped on the way over poor triangles: the linear surface is the better one.
             (Some(c), Some(linear)) if c.is_stopped() && !c.poor.is_empty() => (linear, f64::NAN, None),
             (Some(c), _) => {
-                along_normals = c.along_normals;
-                self.left = Some(formulation.weighted(c.weights));
+                formulation = c.formulation;
+                self.left = Some(formulation.clone());
                 (c.x, c.step, Some(c.poor))
             }
             (None, linear) => {
@@ -457,19 +455,15 @@ impl Ladder {
                 (least.or(linear).unwrap_or_default(), f64::NAN, None)
             }
         };
-        let formulation = Formulation {
-            along_normals,
-            ..formulation.weighted(self.left(system).weights)
-        };
         system.evaluate(&x, &formulation);
         SolveResult {
             status,
             step,
             defect: system.defect(&formulation),
-            spread_otherwise: system.spread_otherwise(&formulation),
+            spread_otherwise: formulation.spreads_otherwise(),
             iterations: control.tally.iterations - self.in_vain,
             poor: poor.unwrap_or_else(|| system.poor(&x, NEEDLE)),
-            along_normals,
+            along_normals: formulation.along_normals,
             trials: std::mem::take(&mut self.trials),
             continuity: Vec::new(),
             start_seconds: self.start_seconds,
@@ -481,15 +475,19 @@ impl Ladder {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::discrete::target::RightHandSide;
 
     fn stalled(step: f64) -> Candidate {
         Candidate {
             x: Vec::new(),
             status: IterationStatus::Stalled,
             step,
-            weights: FairnessWeights::uniform().into(),
-            spread_otherwise: 0,
-            along_normals: false,
+            formulation: Formulation {
+                right_hand_side: RightHandSide::default(),
+                weights: FairnessWeights::uniform().into(),
+                of_least_bending: false,
+                along_normals: false,
+            },
             poor: Vec::new(),
             curvature_overshoot: false,
             folds: 0,

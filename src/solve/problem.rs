@@ -79,7 +79,7 @@ impl<'a> Problem<'a> {
             step: f64::NAN,
             iterations: 0,
             along_normals: false,
-            spread_otherwise: 0,
+            spread_otherwise: false,
             trials: Vec::new(),
             continuity: Vec::new(),
             start_seconds: 0.0,

@@ -101,8 +101,8 @@ pub(crate) struct SolveResult {
     pub iterations: usize,
     /// Triangles of the region (local numbers) that are folded or needles.
     pub poor: Vec<u32>,
-    /// Free vertices that inner fairness does not spread as asked: with other weights, or none.
-    pub spread_otherwise: usize,
+    /// No vertex is spread as asked: the weights are those of the surface of least bending, or there are none.
+    pub spread_otherwise: bool,
     /// Inner fairness is not met, because none was found to go with a surface: the vertices were moved along the normals alone.
     pub along_normals: bool,
     /// Where the curvature of the surroundings was to be continued, what came of it.

@@ -115,6 +115,7 @@ impl System {
             asked: Formulation {
                 right_hand_side: problem.right_hand_side,
                 weights: weights.clone(),
+                of_least_bending: false,
                 along_normals: false,
             },
             asked_continuity: problem.continuity.cloned(),
@@ -191,15 +192,6 @@ impl System {
             curvature: self.curvature,
             right_hand_side: self.asked.right_hand_side,
         }
-    }
-
-    /// At how many free vertices this inner fairness is not the one that is asked for.
-    pub(crate) fn spread_otherwise(&self, formulation: &Formulation) -> usize {
-        if formulation.along_normals {
-            return self.free();
-        }
-        let weights = &formulation.weights;
-        weights.differing(&self.asked.weights, &self.domain.batches)
     }
 
     /// The last evaluation.

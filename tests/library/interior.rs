@@ -301,7 +301,6 @@ fn convex_weights_keep_spheres() {
         );
         assert_success(&solution.report.outcome);
         assert_below!(error, 1e-9);
-        // None is clamped; a few are repaired.
-        assert!(solution.report.fallback_weights < n / 10);
+        assert_eq!(solution.report.fallback_weights, 0);
     }
 }

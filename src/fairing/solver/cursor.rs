@@ -212,7 +212,7 @@ impl Cursor {
             step: self.tally.step,
             defect: self.system.defect(&formulation),
             iterations: self.tally.iterations,
-            spread_otherwise: self.system.spread_otherwise(&formulation),
+            spread_otherwise: formulation.spreads_otherwise(),
             along_normals: formulation.along_normals,
             trials: self.ladder.trials().to_vec(),
             continuity: Vec::new(),

@@ -73,7 +73,7 @@ impl Ladder {
         &mut self,
         system: &mut System,
         control: &mut Control<'_>,
-    ) -> Option<(Vec<Vector3<f64>>, Arc<FairnessWeights>)> {
+    ) -> Option<&(Vec<Vector3<f64>>, Arc<FairnessWeights>)> {
         if self.least_bending.is_none() {
             let start = match &self.coarse {
                 Some(CoarseResult::Found { x, .. } | CoarseResult::Missed { x: Some(x), .. }) => x.clone(),
@@ -84,7 +84,7 @@ impl Ladder {
             let weights = FairnessWeights::mean_value(&system.domain.batches, &x);
             self.least_bending = Some((x, weights.into()));
         }
-        self.least_bending.clone()
+        self.least_bending.as_ref()
     }
 
     /// Start and formulation of an attempt; `None` where there is no such start.
@@ -98,7 +98,10 @@ impl Ladder {
             Weights::Asked => system.asked().clone(),
             Weights::LeastBending => {
                 let (_, weights) = self.least_bending(system, control)?;
-                system.asked().weighted(weights)
+                Formulation {
+                    of_least_bending: true,
+                    ..system.asked().weighted(weights.clone())
+                }
             }
             Weights::AsLeft => self.left(system),
             Weights::None => Formulation {
@@ -114,7 +117,7 @@ impl Ladder {
             Start::MinimalEnergy => self.minimal_energy.clone(),
             Start::Stalled => self.stalled.take().map(|(x, _)| x),
             Start::BesideSound => second_surface(&self.sound.as_ref()?.x, &formulation, system, control),
-            Start::LeastBending => self.least_bending(system, control).map(|(x, _)| x),
+            Start::LeastBending => self.least_bending(system, control).map(|(x, _)| x.clone()),
         };
         start.map(|x| (x, formulation))
     }
