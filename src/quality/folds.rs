@@ -5,6 +5,7 @@
 //! `kappa (R_1 + R_2)`. A single vertex that stands off is seen by the fit around it as curvature as well, which may meet the
 //! equations exactly; but not by those farther off. So `kappa` is the median of the larger principal curvatures around an edge.
 //!
+//! A vertex that stands off folds at more than one of its edges; a single one, which is not sharp, is at a corner of the boundary.
 //! No edge is a fold that is hardly sharper than those of the surroundings, or than boundary normals that are turned against them ask for: beside
 //! creases and noise no surface is without.
 
@@ -54,8 +55,18 @@ impl Folds<'_> {
         if !found.is_empty() {
             let least = (SHARPER * self.sharpest_outside()).max(self.asked() + EXCESS);
             found.retain(|&h| self.bend(h) > least);
+            let mut ends: Vec<u32> = found.iter().flat_map(|&h| self.free_ends(h)).collect();
+            ends.sort_unstable();
+            let is_shared = |v| ends.partition_point(|&e| e <= v) - ends.partition_point(|&e| e < v) > 1;
+            found.retain(|&h| self.bend(h) > SHARP || self.free_ends(h).any(is_shared));
         }
         found
+    }
+
+    fn free_ends(&self, h: u32) -> impl Iterator<Item = u32> {
+        let region = self.surface.region;
+        let ends = [region.half_edges.origin(h), region.half_edges.target(h)];
+        ends.into_iter().filter(|&v| region.is_free(v))
     }
 
     /// Whether the half-edge is of an edge that curvature does not account for. `usual` is the cosine of the angle up to which none is.
@@ -71,7 +82,7 @@ impl Folds<'_> {
         }
         let bend = degrees(&a, &b);
         !self.is_at_fixed_inside(h, o)
-            && (bend > SHARP || self.has_free_end(h) && bend > EXPLAINED * self.explained(h, o))
+            && (bend > SHARP || self.free_ends(h).next().is_some() && bend > EXPLAINED * self.explained(h, o))
     }
 
     fn opposite(&self, h: u32) -> u32 {
@@ -103,11 +114,6 @@ impl Folds<'_> {
         let closed =
             |v: usize| v >= region.free && v < region.region_vertices() && self.rings.closed[v - region.free];
         corners.iter().flatten().any(|&v| closed(v as usize))
-    }
-
-    fn has_free_end(&self, h: u32) -> bool {
-        let region = self.surface.region;
-        region.is_free(region.half_edges.origin(h)) || region.is_free(region.half_edges.target(h))
     }
 
     /// The sharpest edge between triangles of the outside ring, as they came, in degrees.

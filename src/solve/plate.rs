@@ -474,7 +474,7 @@ mod tests {
         with_problem(&("pieces", shape, vec![]), |problem| {
             let mut system = System::by_means(problem, Means::Plate);
             let asked = system.asked().clone();
-            let mut control = Control::new(1e-9, 300, None);
+            let mut control = Control::new(1e-9, 100, None);
             assert!(system.linear_surface(&asked, &mut control).is_ok());
             assert!(!system.is_by_plate());
         });
@@ -503,8 +503,7 @@ mod tests {
         let Ok(LadderState::Ended(result)) = Ladder::default().run(&mut system, &mut control) else {
             panic!("nothing stops it");
         };
-        // The closed cut, flat with the normals of a sphere, has folds.
-        assert_matches!(result.status, SolveStatus::Converged | SolveStatus::Bump);
+        assert_eq!(result.status, SolveStatus::Converged);
         (result.x, result.iterations)
     }
 
