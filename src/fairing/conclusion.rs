@@ -167,7 +167,7 @@ impl Found<'_> {
             defect: result.defect,
             step: result.step,
             diagonal: diagonal(&result.x) * prepared.normalization.scale,
-            least_bending: result.status.is_linear(),
+            least_bending: result.status.is_least_bending(),
             attempts: result.trials.iter().map(Attempt::new).collect(),
             quality,
             continuity: self.continuity(),

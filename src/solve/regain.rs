@@ -57,7 +57,9 @@ impl Regain {
                 Transition::Done(if is_regained { last } else { found })
             }
             (Transition::Done(found), None) if found.is_sound() => {
-                let (asked, x) = (system.asked().clone(), found.x.clone());
+                let (asked, mut x) = (system.asked().clone(), found.x.clone());
+                // `P` is made of vertices about where they will lie.
+                system.tangential_steps(&mut x, &asked, control);
                 self.found = Some(found);
                 let (repair, next) =
                     WeightRepair::begin(asked, x, self.options, Anew::FromSurface, system, control);

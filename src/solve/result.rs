@@ -15,9 +15,9 @@ pub(crate) enum SolveStatus {
     Bump,
     /// No sound harmonic surface; the member `w` of the family `Delta_B H = -2 w H (H^2 - K)` that is nearest to it.
     NearestMember(f64),
-    /// No sound nonlinear surface; the linear one.
+    /// No sound surface; that of least bending.
     Failed,
-    /// A surface was found for this part of the right-hand side only; the linear surface.
+    /// A surface was found for this part of the right-hand side only; that of least bending.
     TargetNotReached(f64),
     /// The limit of iterations: the best surface so far.
     IterationLimit,
@@ -26,8 +26,8 @@ pub(crate) enum SolveStatus {
 }
 
 impl SolveStatus {
-    /// Whether the surface is the linear one, for want of a better.
-    pub(crate) fn is_linear(&self) -> bool {
+    /// Whether the surface is that of least bending, for want of a better.
+    pub(crate) fn is_least_bending(&self) -> bool {
         matches!(self, Self::Failed | Self::TargetNotReached(_))
     }
 }

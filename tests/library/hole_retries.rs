@@ -150,7 +150,7 @@ fn normals_that_no_sound_patch_has_are_drawn_towards_a_membrane_s() {
         (gentle.outcome, gentle.normals_reached),
         (FillOutcome::Faired, 1.0)
     );
-    let steep = report(1.5);
+    let steep = report(0.8);
     assert_eq!(steep.outcome, FillOutcome::Faired);
     assert_below!(steep.normals_reached, 1.0);
     assert_eq!(steep.self_intersections.len(), 0);

@@ -29,7 +29,7 @@ use super::edited::{Prescribed, Turn, Unedited};
 /// Where a solve has ended.
 #[derive(Clone)]
 pub(super) struct SolvedSurface {
-    /// None: at the linear surface.
+    /// None: at that of least bending.
     x: Option<Vec<Vector3<f64>>>,
     prescribed: Prescribed,
     ended: (f64, bool),
@@ -183,17 +183,17 @@ impl Cursor {
         })
     }
 
-    /// After the end: the next solve begins at its surface, if that is not the linear one. The limit of iterations of the
+    /// After the end: the next solve begins at its surface, if that is not that of least bending. The limit of iterations of the
     /// options may be hit again from there.
     fn end(&mut self, result: &SolveResult) {
         self.is_over = result.status != SolveStatus::IterationLimit;
         let is_folded = || !self.system.poor(&result.x, 0.0).is_empty();
         self.ended = (
             result.step,
-            self.is_over && !result.status.is_linear() && !is_folded(),
+            self.is_over && !result.status.is_least_bending() && !is_folded(),
         );
         self.tally = Tally::default();
-        self.ladder = if result.status.is_linear() {
+        self.ladder = if result.status.is_least_bending() {
             Ladder::default()
         } else {
             std::mem::take(&mut self.ladder).resumed_after(result)

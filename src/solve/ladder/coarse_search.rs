@@ -25,7 +25,7 @@ impl Ladder {
         let clock = Stopwatch::start();
         let (search, trials) = searched(system, control);
         if let CoarseResult::Missed { status, .. } = &search
-            && status.is_linear()
+            && status.is_least_bending()
         {
             self.shortfall = Some(status.clone());
         }
