@@ -323,6 +323,9 @@ enum { TASK_COUNT = sizeof TASKS / sizeof TASKS[0] };
 /* These two have no error detail. */
 static inline int tells_error(Task task) { return task != initialize && task != describe; }
 
+/* Whether a struct of the size that it says has this field. */
+#define REACHES(options, field) ((options).struct_size >= offsetof(__typeof__(options), field) + sizeof(options).field)
+
 /* Does a task, and reads its result. After a failure there is none. */
 static inline void do_task(Task task, Given *given) {
     Run run;
@@ -330,6 +333,9 @@ static inline void do_task(Task task, Given *given) {
     memset(&run, 0, sizeof run);
     run.progress = given->options.progress = given->remesh.progress = given->patience ? watch : NULL;
     given->options.user_data = given->remesh.user_data = &run;
+    /* Options that end between both have a callback that is told nothing to find its run by. */
+    if (!REACHES(given->options, user_data)) given->options.progress = NULL;
+    if (!REACHES(given->remesh, user_data)) given->remesh.progress = NULL;
     run.given = given;
     run.handed = hand_over(given, &run.result, &run.error);
     run.script.data = given->script;
