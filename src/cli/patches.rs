@@ -32,6 +32,9 @@ pub struct PatchArgs {
     /// diagonal, between 0 and 1 [default: 1e-8]
     #[arg(long, value_name = "X", verbatim_doc_comment)]
     tolerance: Option<f64>,
+    /// Stop after this many iterations of a patch, at least 1 [default: 500]
+    #[arg(long, value_name = "N")]
+    max_iterations: Option<usize>,
     /// Worker threads; 0: one per processor.
     /// The result does not depend on it
     #[arg(long, value_name = "N", default_value_t = 0, verbatim_doc_comment)]
@@ -72,6 +75,7 @@ impl PatchArgs {
             fair: !self.no_fair,
             fairing: Options {
                 tolerance: self.tolerance.unwrap_or(defaults.fairing.tolerance),
+                max_iterations: self.max_iterations.unwrap_or(defaults.fairing.max_iterations),
                 output_precision,
                 threads: self.threads,
                 intersections: self.intersections.intersections(),

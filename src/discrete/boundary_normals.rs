@@ -58,12 +58,48 @@ pub(crate) fn estimate(
             }
         }
     }
-    if fitted {
+    if let Some(neighbours) = &neighbours {
         for piece in pieces(region, rings) {
-            blend(&piece, fits.of(&piece), &mut normals);
+            let bends = || {
+                piece
+                    .iter()
+                    .filter_map(|&b| bend(x, region.free + b as usize, rings.outside_triangles(b as usize)))
+            };
+            let most = if is_one_row(region.free, &piece, neighbours) {
+                median_of(bends())
+            } else {
+                f64::INFINITY
+            };
+            blend(&piece, fits.of(&piece), most, &mut normals);
         }
     }
     Ok(normals)
+}
+
+/// Whether all that is known lies on two curves, the piece itself and what is one edge away. A sphere goes through any two circles, those of a
+/// cylinder made of one row of quads, too.
+fn is_one_row(free: usize, piece: &[u32], neighbours: &OutsideNeighbours) -> bool {
+    let mut near: Vec<u32> = piece.iter().map(|&b| free as u32 + b).collect();
+    let around = |of: &[u32]| {
+        let mut around: Vec<u32> = of.iter().flat_map(|&v| neighbours.of(v)).copied().collect();
+        around.sort_unstable();
+        around.dedup();
+        around
+    };
+    let next = around(&near);
+    near.extend(&next);
+    near.sort_unstable();
+    around(&next).iter().all(|v| near.binary_search(v).is_ok())
+}
+
+/// The largest angle between triangles side by side at vertex `v`, of those with these other corners.
+fn bend(x: &[Vector3<f64>], v: usize, triangles: &[[u32; 2]]) -> Option<f64> {
+    let across = |&[a, c]: &[u32; 2]| (x[a as usize] - x[v]).cross(&(x[c as usize] - x[v]));
+    let pairs = triangles.iter().flat_map(|first| {
+        let beside = triangles.iter().filter(move |second| first[1] == second[0]);
+        beside.map(move |second| angle(&across(first), &across(second)))
+    });
+    pairs.reduce(f64::max)
 }
 
 /// The fits of both orders, and to eight rings, at every boundary vertex, where there are enough samples.
@@ -140,8 +176,8 @@ pub(crate) fn average(x: &[Vector3<f64>], v: usize, triangles: &[[u32; 2]]) -> O
 }
 
 /// Blends fits and averages over one piece of the boundary: `t` says how far its fits are to be trusted at all, as the
-/// typical turn against the typical error.
-fn blend(piece: &[u32], fits: &[Option<Fit>], normals: &mut [Vector3<f64>]) {
+/// typical turn against the typical error. Where that turn is more than `most`, the averages stay.
+fn blend(piece: &[u32], fits: &[Option<Fit>], most: f64, normals: &mut [Vector3<f64>]) {
     let mut turns: Vec<f64> = Vec::with_capacity(piece.len());
     let mut errors: Vec<f64> = Vec::with_capacity(piece.len());
     for &b in piece {
@@ -154,6 +190,9 @@ fn blend(piece: &[u32], fits: &[Option<Fit>], normals: &mut [Vector3<f64>]) {
         return;
     }
     let (turn, error) = (median(&mut turns), median(&mut errors));
+    if turn > most * most {
+        return;
+    }
     let t = turn / (turn + 4.0 * error).max(f64::MIN_POSITIVE);
     for &b in piece {
         let Some(fit) = &fits[b as usize] else { continue };
@@ -184,6 +223,15 @@ pub(crate) fn slerp(a: &Vector3<f64>, b: &Vector3<f64>, s: f64) -> Vector3<f64> 
     }
     let mixed = a * libm::sin((1.0 - s) * phi) + b * libm::sin(s * phi);
     mixed.try_normalize(1e-12).unwrap_or(*b)
+}
+
+fn median_of(values: impl Iterator<Item = f64>) -> f64 {
+    let mut values: Vec<f64> = values.collect();
+    if values.is_empty() {
+        0.0
+    } else {
+        median(&mut values)
+    }
 }
 
 fn median(values: &mut [f64]) -> f64 {

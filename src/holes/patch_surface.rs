@@ -9,7 +9,6 @@ use crate::fairing::{
     BoundaryNormals, Options, Outcome, OutputPrecision, Progress, ProgressCallback, Report, Selection,
     Solution, fair_within,
 };
-use crate::holes::joint;
 use crate::holes::local_frame::{first_of_loops, in_units};
 use crate::holes::outcome::{FillOutcome, FlatReason, OpenReason};
 use crate::holes::parents::{Parents, parents};
@@ -18,7 +17,6 @@ use crate::holes::refine::{Fineness, Refiner};
 use crate::holes::rounding::Rounded;
 use crate::holes::surroundings::{Surroundings, bounds};
 use crate::holes::triangle_owner::Owned;
-use crate::holes::triangulate::{Barred, Measure};
 use crate::support::error::Error;
 
 /// The fraction of the progress at which the coarse patch is faired: its share of the time, measured.
@@ -27,25 +25,12 @@ pub(super) const COARSE_SHARE: f64 = 0.1;
 /// The fraction of the progress at which the patch is refined.
 /// Half or double, of 40 cases: only the progress changes.
 const REFINED: f64 = 0.4;
-/// On short edges of the boundary, edges may be this much longer than those: triangles keep 15 degrees.
-/// Of 44 cases, half: 41 change, 34 get another triangulation, +13 % iterations, 3 fail;
-/// double: 32 change, 28 get another triangulation, +2 % iterations.
-const BESIDE_SHORT: f64 = 1.5;
-/// But they need not be shorter than this part of the edges around: one edge of nearly no length would ask for as many vertices as
-/// numbers have digits, and one narrow triangle does for it.
-/// Of 44 cases, half: 1 changes; double: 2 change, 2 get another triangulation.
-const SHORTEST: f64 = 1.0 / 30.0;
 /// A patch may leave the boundary's bounding box by this much of its diagonal without being named.
 /// Of 41 cases, half: 2 change, 1 get another triangulation; double: 4 change, -3 % iterations.
 const ROOM: f64 = 0.25;
 /// A patch whose smallest angle (degrees) is below this is refined and faired once more.
 /// Of 40 cases, half: 1 changes, 1 get another triangulation; double: 4 change, 3 get another triangulation.
 const ENOUGH: f64 = 15.0;
-
-/// The largest length of edges at a boundary vertex, by the shorter boundary edge there and the mean length around.
-pub(super) fn limit(shorter: f64, size: f64) -> f64 {
-    (BESIDE_SHORT * shorter).max(SHORTEST * size)
-}
 
 /// No fair surface was found.
 pub(super) fn is_failed(report: &Report) -> bool {
@@ -107,7 +92,7 @@ impl PatchSurface {
     /// Faired, or not asked to be.
     pub(super) fn is_fair(&self) -> bool {
         match &self.outcome {
-            FillOutcome::LeastBending => false,
+            FillOutcome::LeastBending | FillOutcome::LeftOpen(_) => false,
             FillOutcome::Flat { reason } => {
                 matches!(reason, FlatReason::NotAsked | FlatReason::NoInnerVertex)
             }
@@ -120,6 +105,16 @@ impl PatchSurface {
         let fairing = self.fairing.as_ref();
         self.outcome == FillOutcome::Faired
             && fairing.is_some_and(|report| matches!(report.outcome, Outcome::Converged))
+    }
+
+    /// The larger the better.
+    fn rank(&self) -> [bool; 3] {
+        [self.is_clean(), self.is_fair(), !self.is_open()]
+    }
+
+    fn is_nearest_member(&self) -> bool {
+        let fairing = self.fairing.as_ref();
+        fairing.is_some_and(|report| matches!(report.outcome, Outcome::NearestMember { .. }))
     }
 
     /// Takes these copies for the boundary's vertices.
@@ -141,6 +136,17 @@ impl PatchSurface {
         }
         self.boundary.copy_from_slice(copies);
     }
+}
+
+/// How a patch is laid out before it is refined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Layout {
+    /// Rows along a spine, between the ends of a tube.
+    Swept,
+    /// A triangulation without new vertices, faired loosely,
+    First,
+    /// and by another measure.
+    Other,
 }
 
 /// What is to be done with a loop, or with several.
@@ -169,25 +175,26 @@ fn is_stopped_at(tell: &mut ProgressCallback<'_>, fraction: f64) -> bool {
 
 impl Task<'_> {
     pub(super) fn run(&self, tell: &mut ProgressCallback<'_>) -> PatchSurface {
-        let first = self.run_on(false, tell);
-        let is_over = matches!(first.outcome, FillOutcome::LeftOpen(OpenReason::Cancelled));
-        if !self.is_joint() || !self.fair || is_over || first.is_clean() {
-            return first;
+        let mut best: Option<PatchSurface> = None;
+        for &layout in self.layouts() {
+            let piece = self.run_on(layout, tell);
+            let is_over = matches!(piece.outcome, FillOutcome::LeftOpen(OpenReason::Cancelled));
+            // A pipe that bends by another equation is rather what is meant than films with a thread between them.
+            let is_enough = piece.is_clean() || layout == Layout::Swept && piece.is_nearest_member();
+            if is_over || is_enough || !self.fair && !piece.is_open() {
+                return piece;
+            }
+            if best.as_ref().is_none_or(|best| piece.rank() > best.rank()) {
+                best = Some(piece);
+            }
         }
-        // Which triangulation of several loops leads to their surface is not known before.
-        let second = self.run_on(true, tell);
-        match second.is_clean() || second.is_fair() && !first.is_fair() {
-            true => second,
-            false => first,
-        }
+        best.unwrap_or_else(|| PatchSurface::open(OpenReason::NoTriangulation))
     }
 
-    /// On the first triangulation, or the other one.
-    fn run_on(&self, is_other: bool, tell: &mut ProgressCallback<'_>) -> PatchSurface {
-        let Some(coarse) = self.triangulate(is_other, None) else {
+    fn run_on(&self, layout: Layout, tell: &mut ProgressCallback<'_>) -> PatchSurface {
+        let Some((coarse, mut patch)) = self.laid_out(layout) else {
             return PatchSurface::open(OpenReason::NoTriangulation);
         };
-        let mut patch = coarse.clone();
         if !self.fair {
             let coarsened = !self.refine(&mut patch);
             let reason = FlatReason::NotAsked;
@@ -196,9 +203,10 @@ impl Task<'_> {
         if is_stopped_at(tell, 0.0) {
             return PatchSurface::open(OpenReason::Cancelled);
         }
-        match self.is_joint() {
-            true => self.shape_joint(&mut patch, tell),
-            false => self.shape(&mut patch, tell),
+        match (layout, self.is_joint()) {
+            (Layout::Swept, _) => {}
+            (_, true) => self.shape_joint(&mut patch, tell),
+            (_, false) => self.shape(&mut patch, tell),
         }
         if is_stopped_at(tell, COARSE_SHARE) {
             return PatchSurface::open(OpenReason::Cancelled);
@@ -301,32 +309,6 @@ impl Task<'_> {
             piece.fairing.clone_from(&report);
             Some(piece)
         })
-    }
-
-    /// The loops triangulated, with the sizes of their surroundings: by the bends, or otherwise. (The least area of several loops
-    /// is that of a patch for each, and tubes without width between them.)
-    /// Without triangles that are barred.
-    pub(super) fn triangulate(&self, is_other: bool, barred: Barred<'_>) -> Option<Patch> {
-        let around = self.surroundings;
-        let n = around.loop_vertices;
-        let measure = match (self.is_joint(), is_other) {
-            (false, false) => Measure::WorstBend,
-            (false, true) => Measure::Area,
-            (true, false) => Measure::TotalBend,
-            (true, true) => Measure::Energy,
-        };
-        let triangles = joint::triangulate(&around.loop_set(), measure, barred)?;
-        let is_there = |t: &[u32; 3]| t.iter().all(|&v| (v as usize) < n);
-        if n == 3 && around.triangles.iter().any(is_there) {
-            return None;
-        }
-        let mut patch = Patch::new(around.x[..n].to_vec(), triangles, n);
-        let (size, shorter) = around.sizes();
-        let limits = shorter.iter().zip(&size);
-        patch.limit = limits.map(|(&shorter, &size)| limit(shorter, size)).collect();
-        patch.size = size;
-        patch.range = around.ranges();
-        Some(patch)
     }
 
     pub(super) fn is_joint(&self) -> bool {

@@ -6,7 +6,7 @@ use super::parents::{Parents, parents};
 use super::patch::Patch;
 use super::refine::{Fineness, Refiner};
 use crate::fairing::{ProgressCallback, on_workers_unless_stopped};
-use crate::holes::patch_surface::limit;
+use crate::holes::layout::limit;
 use crate::mesh::coincident::{Coincident, Copies};
 use crate::mesh::{Joined, NONE, RegionMesh, Selection};
 use crate::support::error::Error;

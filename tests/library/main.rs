@@ -32,6 +32,7 @@ mod long;
 mod outcomes;
 mod outer_boundaries;
 mod paper;
+mod pipes;
 mod progress;
 mod refill;
 mod regions;
