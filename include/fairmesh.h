@@ -2139,6 +2139,18 @@ typedef struct fairmesh_report {
      */
     uint64_t worst_triangle;
     /**
+     * The largest angle, in degrees, between two triangles side by side of which one has a free vertex.
+     */
+    double sharpest_edge;
+    /**
+     * The vertex at one end of their edge,
+     */
+    uint64_t sharpest_edge_from;
+    /**
+     * and at the other.
+     */
+    uint64_t sharpest_edge_to;
+    /**
      * The smallest and largest mean curvature at free vertices, in 1 / length; negative on a sphere.
      */
     double h_inside[2];
@@ -2571,6 +2583,18 @@ typedef struct fairmesh_component {
      * The triangle that has it.
      */
     uint64_t worst_triangle;
+    /**
+     * The largest angle, in degrees, between two triangles side by side of which one has a free vertex.
+     */
+    double sharpest_edge;
+    /**
+     * The vertex at one end of their edge,
+     */
+    uint64_t sharpest_edge_from;
+    /**
+     * and at the other.
+     */
+    uint64_t sharpest_edge_to;
     /**
      * The smallest and largest mean curvature at its free vertices, in 1 / length; negative on a sphere.
      */

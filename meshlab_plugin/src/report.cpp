@@ -42,6 +42,8 @@ Values values_of(const fairmesh_report &report, const MeshView &view) {
         {"diagonal", report.diagonal},
         {"smallest_angle", report.worst_angle},
         {"smallest_angle_face", static_cast<int>(worst_face(report, view))},
+        {"sharpest_edge", report.sharpest_edge},
+        {"sharpest_edge_vertex", number(report.sharpest_edge_from)},
         {"flipped_faces", number(report.flipped_count)},
         {"needles", number(report.needle_count)},
         {"curvature_min", report.h_inside[0]},
@@ -61,12 +63,12 @@ void log_report(const fairmesh_report &report, const MeshView &view, const Host 
     host.log(text("Fairing %s: %llu free vertices, %llu iterations, last step %.1e of the region's diagonal, harmonic defect %.1e",
                   fairmesh::name(FAIRMESH_ANSWER_OUTCOME, report.outcome), static_cast<unsigned long long>(report.free_vertices),
                   static_cast<unsigned long long>(report.iterations), report.step, report.defect));
-    host.log(text(
-        "Smallest angle %.2f degrees (face %lld), flipped %llu, needles %llu; mean curvature %.4g to %.4g; deviation from the boundary "
-        "normals at most %.2f degrees (vertex %llu)",
-        report.worst_angle, worst_face(report, view), static_cast<unsigned long long>(report.flipped_count),
-        static_cast<unsigned long long>(report.needle_count), report.h_inside[0], report.h_inside[1], report.normal_deviation,
-        static_cast<unsigned long long>(report.normal_deviation_vertex)));
+    host.log(text("Smallest angle %.2f degrees (face %lld), sharpest edge %.1f degrees, flipped %llu, needles %llu; mean curvature %.4g to "
+                  "%.4g; deviation from the boundary "
+                  "normals at most %.2f degrees (vertex %llu)",
+                  report.worst_angle, worst_face(report, view), report.sharpest_edge, static_cast<unsigned long long>(report.flipped_count),
+                  static_cast<unsigned long long>(report.needle_count), report.h_inside[0], report.h_inside[1], report.normal_deviation,
+                  static_cast<unsigned long long>(report.normal_deviation_vertex)));
     const std::string but = reservation(report);
     if (!but.empty()) host.warn("Warning, " + std::string(fairmesh::name(FAIRMESH_ANSWER_OUTCOME, report.outcome)) + ": " + but);
 }

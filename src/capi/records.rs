@@ -41,6 +41,12 @@ pub struct fairmesh_report {
     pub worst_angle: f64,
     /// The triangle that has it.
     pub worst_triangle: u64,
+    /// The largest angle, in degrees, between two triangles side by side of which one has a free vertex.
+    pub sharpest_edge: f64,
+    /// The vertex at one end of their edge,
+    pub sharpest_edge_from: u64,
+    /// and at the other.
+    pub sharpest_edge_to: u64,
     /// The smallest and largest mean curvature at free vertices, in 1 / length; negative on a sphere.
     pub h_inside: [f64; 2],
     /// The same at boundary vertices.
@@ -123,6 +129,12 @@ pub struct fairmesh_component {
     pub worst_angle: f64,
     /// The triangle that has it.
     pub worst_triangle: u64,
+    /// The largest angle, in degrees, between two triangles side by side of which one has a free vertex.
+    pub sharpest_edge: f64,
+    /// The vertex at one end of their edge,
+    pub sharpest_edge_from: u64,
+    /// and at the other.
+    pub sharpest_edge_to: u64,
     /// The smallest and largest mean curvature at its free vertices, in 1 / length; negative on a sphere.
     pub h_inside: [f64; 2],
     /// The same at its boundary vertices.

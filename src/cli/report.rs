@@ -131,6 +131,11 @@ impl Summary<'_> {
         let angle = significant(quality.worst_angle);
         let worst = self.geometry.polygon_of(quality.worst_triangle);
         table.row("smallest angle", format_args!("{angle} degrees, in face {worst}"));
+        let (edge, [a, b]) = (significant(quality.sharpest_edge), quality.sharpest_edge_vertices);
+        table.row(
+            "sharpest edge",
+            format_args!("{edge} degrees, between vertices {a} and {b}"),
+        );
         table.row("flipped", listed(&self.faces(&quality.flipped), FACES));
         table.row("needles", listed(&self.faces(&quality.needles), FACES));
         table.row("curvature inside", range(quality.h_inside));
@@ -290,6 +295,8 @@ impl Summary<'_> {
         json!({
             "worst_angle": quality.worst_angle,
             "worst_triangle": self.geometry.polygon_of(quality.worst_triangle),
+            "sharpest_edge": quality.sharpest_edge,
+            "sharpest_edge_vertices": quality.sharpest_edge_vertices,
             "flipped": list(&quality.flipped),
             "needles": list(&quality.needles),
             "h_inside": quality.h_inside,

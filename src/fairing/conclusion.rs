@@ -10,6 +10,7 @@ use super::report::{Attempt, ComponentReport, LooseReason, Outcome, Seconds};
 use crate::discrete::equations::State;
 use crate::paper::LevelReport;
 use crate::quality::crease::{Kink, creases, kinks};
+use crate::quality::folds::Folds;
 use crate::quality::{Quality, SurfaceState};
 use crate::solve::candidate::bending_energy;
 use crate::solve::problem::diagonal;
@@ -88,6 +89,19 @@ impl Found<'_> {
             *h /= self.prepared.normalization.scale;
         }
         quality.bending_energy = bending_energy(self.state);
+        let domain = &self.prepared.domain;
+        let folds = Folds {
+            surface,
+            k: &self.state.k,
+            rings: &domain.rings,
+            input: &domain.input,
+        };
+        if let Some((h, bend)) = folds.sharpest() {
+            let half_edges = &domain.region.half_edges;
+            let ends = [half_edges.origin(h), half_edges.target(h)];
+            quality.sharpest_edge = bend;
+            quality.sharpest_edge_vertices = ends.map(|v| domain.region.vertex_ids[v as usize] as usize);
+        }
         quality
     }
 

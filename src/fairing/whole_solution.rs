@@ -116,6 +116,10 @@ fn quality(components: &[ComponentSolution]) -> Quality {
         if of.worst_angle < all.worst_angle {
             (all.worst_angle, all.worst_triangle) = (of.worst_angle, of.worst_triangle);
         }
+        if of.sharpest_edge > all.sharpest_edge {
+            all.sharpest_edge = of.sharpest_edge;
+            all.sharpest_edge_vertices = of.sharpest_edge_vertices;
+        }
         if of.normal_deviation > all.normal_deviation {
             all.normal_deviation = of.normal_deviation;
             all.normal_deviation_vertex = of.normal_deviation_vertex;

@@ -286,6 +286,8 @@ fn renumber_judgement(
     triangle: impl Fn(u32) -> u32,
 ) {
     quality.worst_triangle = triangle(quality.worst_triangle as u32) as usize;
+    let ends = quality.sharpest_edge_vertices;
+    quality.sharpest_edge_vertices = ends.map(|v| vertex(v as u32) as usize);
     quality.normal_deviation_vertex = vertex(quality.normal_deviation_vertex as u32) as usize;
     quality.boundary_kink_vertex = vertex(quality.boundary_kink_vertex as u32) as usize;
     for list in [&mut quality.flipped, &mut quality.needles] {

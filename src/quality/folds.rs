@@ -64,6 +64,32 @@ impl Folds<'_> {
         found
     }
 
+    /// The half-edge of the edge that bends most, and by how many degrees; none if the region has no edge inside or at its rim.
+    pub(crate) fn sharpest(&self) -> Option<(u32, f64)> {
+        let count = 3 * self.surface.region.half_edges.region_triangles;
+        let sharper = |a: (u32, f64), b: (u32, f64)| if b.1 < a.1 { b } else { a };
+        let found = parallel::map(parallel::runs(count, parallel::RUN), |_, run| {
+            let edges = run.map(|h| h as u32).filter(|&h| self.is_first_of_moving(h));
+            edges.map(|h| (h, self.cosine(h))).reduce(sharper)
+        });
+        let (h, _) = found.into_iter().flatten().reduce(sharper)?;
+        Some((h, self.bend(h)))
+    }
+
+    /// Whether it stands for an edge beside a free vertex. Of two half-edges in the region the first one does; one outside is behind all of
+    /// them.
+    fn is_first_of_moving(&self, h: u32) -> bool {
+        let o = self.opposite(h);
+        o != NONE && o >= h && (self.moves(h) || self.moves(o))
+    }
+
+    /// The cosine of the angle at an edge; 1 if a triangle has no area.
+    fn cosine(&self, h: u32) -> f64 {
+        let [a, b] = [h, self.opposite(h)].map(|h| across(&self.corners(h)));
+        let cosine = a.dot(&b) / (a.norm_squared() * b.norm_squared()).sqrt();
+        if cosine.is_nan() { 1.0 } else { cosine }
+    }
+
     fn free_ends(&self, h: u32) -> impl Iterator<Item = u32> {
         let region = self.surface.region;
         let ends = [region.half_edges.origin(h), region.half_edges.target(h)];
@@ -72,16 +98,10 @@ impl Folds<'_> {
 
     /// Whether the half-edge is of an edge that curvature does not account for. `usual` is the cosine of the angle up to which none is.
     fn may_fold(&self, h: u32, usual: f64) -> bool {
-        let o = self.opposite(h);
-        // Of two half-edges in the region the first one stands for the edge; one outside is behind all of them.
-        if o == NONE || o < h || !self.moves(h) && !self.moves(o) {
+        if !self.is_first_of_moving(h) || self.cosine(h) >= usual {
             return false;
         }
-        let [a, b] = [h, o].map(|h| across(&self.corners(h)));
-        if a.dot(&b) >= usual * (a.norm_squared() * b.norm_squared()).sqrt() {
-            return false;
-        }
-        let bend = degrees(&a, &b);
+        let (o, bend) = (self.opposite(h), self.bend(h));
         !self.is_at_fixed_inside(h, o)
             && (bend > SHARP || self.free_ends(h).next().is_some() && bend > EXPLAINED * self.explained(h, o))
     }

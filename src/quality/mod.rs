@@ -27,6 +27,10 @@ pub struct Quality {
     pub worst_angle: f64,
     /// The triangle that has it.
     pub worst_triangle: usize,
+    /// The largest angle, in degrees, between two triangles side by side of which one has a free vertex: inside, or at the rim.
+    pub sharpest_edge: f64,
+    /// The ends of their edge.
+    pub sharpest_edge_vertices: [usize; 2],
     /// Triangles whose normal points away from the sum of their vertices' normals.
     pub flipped: Vec<u32>,
     /// Triangles with an angle below one degree.

@@ -250,6 +250,52 @@ fn figures_are_those_of_the_numbers_that_are_written() {
     assert!(!single.report.outcome.remedy().is_empty());
 }
 
+/// The largest angle in degrees between two triangles side by side of which one has a free vertex, and the ends of their edge.
+fn sharpest_edge(positions: &[[f64; 3]], triangles: &[[u32; 3]], free: &[u32]) -> (f64, [usize; 2]) {
+    let normal = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(|v| Vector3::from(positions[v as usize]));
+        (b - a).cross(&(c - a)).normalize()
+    };
+    let mut beside: BTreeMap<[u32; 2], Vec<usize>> = BTreeMap::new();
+    for (t, of) in triangles.iter().enumerate() {
+        for k in 0..3 {
+            let (a, b) = (of[k], of[(k + 1) % 3]);
+            beside.entry([a.min(b), a.max(b)]).or_default().push(t);
+        }
+    }
+    let moves = |t: &usize| triangles[*t].iter().any(|v| free.contains(v));
+    let inner = beside
+        .iter()
+        .filter(|(_, of)| of.len() == 2 && of.iter().any(moves));
+    let angles = inner.map(|(edge, of)| {
+        let [a, b] = [of[0], of[1]].map(|t| normal(&triangles[t]));
+        (
+            a.cross(&b).norm().atan2(a.dot(&b)).to_degrees(),
+            edge.map(|v| v as usize),
+        )
+    });
+    angles.fold((0.0, [0; 2]), |a, b| if b.0 > a.0 { b } else { a })
+}
+
+#[test]
+fn the_sharpest_edge_is_told() {
+    let cube = Cube::new(5);
+    let creased = (cube.positions.clone(), cube.triangles.clone(), cube.free.clone());
+    let cap = sphere_cap(60.0, 300, irregular(3), OUTSIDE);
+    let smooth = (cap.positions.clone(), cap.triangles.clone(), cap.free_vertices());
+    for ((positions, triangles, free), most) in [(creased, 90.0), (smooth, 20.0)] {
+        let selection = Selection::Vertices(&free);
+        let solution = fair(&positions, &triangles, selection, &Options::default()).unwrap();
+        let quality = &solution.report.quality;
+        let (angle, ends) = sharpest_edge(&solution.positions, &triangles, &free);
+        assert_near!(quality.sharpest_edge, angle, 1e-6);
+        let mut told = quality.sharpest_edge_vertices;
+        told.sort_unstable();
+        assert_eq!(told, ends, "{angle}");
+        assert!(angle > 1.0 && angle <= most + 1e-9, "{angle}");
+    }
+}
+
 /// Near the origin floats are fine enough, and a solver says what a single call does.
 #[test]
 fn rounding_that_does_no_harm_is_a_success() {

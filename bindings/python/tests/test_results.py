@@ -46,6 +46,12 @@ def test_the_report_is_of_the_vertices_that_are_returned():
     asked = fairmesh.fair(floats, FACES, free=FREE, output_precision="double")
     for result in (rounded, single, asked):
         assert abs(result.report.worst_angle - smallest_angle(result.vertices, inside)) < 1e-4
+        edge = [result.report.sharpest_edge_from, result.report.sharpest_edge_to]
+        beside = FACES[np.isin(FACES, edge).sum(axis=1) == 2]
+        corners = result.vertices.astype(float)[beside]
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        first, second = normals / np.linalg.norm(normals, axis=1)[:, None]
+        assert abs(np.cos(np.radians(result.report.sharpest_edge)) - first @ second) < 1e-6
 
 
 def test_what_is_wrong_is_listed():
