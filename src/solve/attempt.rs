@@ -10,8 +10,6 @@ use super::system::System;
 pub(crate) struct Rung {
     /// What it is called.
     pub name: &'static str,
-    /// On which meshes it is tried.
-    pub mesh: MeshLevel,
     /// When it is tried.
     pub condition: Condition,
     /// The inner fairness that it begins with.
@@ -24,15 +22,6 @@ pub(crate) struct Rung {
     pub options: IterateOptions,
     /// What becomes of a surface that meets the tolerance. A sound one of an attempt at the solution ends the search.
     pub kept: Kept,
-}
-
-/// On which meshes an attempt is tried.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum MeshLevel {
-    /// On every one.
-    Any,
-    /// Where there is a coarse level.
-    Fine,
 }
 
 /// When an attempt is tried.
@@ -83,7 +72,7 @@ pub(crate) enum Start {
     LeastBending,
     /// The surface found on the coarse mesh,
     Coarse,
-    /// where that is harmonic no more.
+    /// where that is another member of the family.
     CoarseMember,
     /// The surface of minimal energy.
     MinimalEnergy,
@@ -126,28 +115,10 @@ const PATIENT: IterateOptions = IterateOptions {
 /// Of 42 cases, half: 1 changes by up to 9e-9 edges, +1 % iterations; double: 1 changes by up to 2e-13 edges, -2 % iterations.
 pub(crate) const COARSE: f64 = 1e-4;
 
-/// Goes on where attempts have stalled.
-const fn along_normals(mesh: MeshLevel) -> Rung {
-    Rung {
-        name: "along normals",
-        mesh,
-        condition: Condition::Always,
-        weights: Weights::None,
-        start: Start::Stalled,
-        procedure: Procedure::Iteration,
-        options: IterateOptions {
-            phase: "along the normals",
-            ..DIRECT
-        },
-        kept: Kept::Result,
-    }
-}
-
 /// The attempts, in their order.
 pub(crate) const LADDER: &[Rung] = &[
     Rung {
         name: "goes on",
-        mesh: MeshLevel::Any,
         condition: Condition::Always,
         weights: Weights::AsLeft,
         start: Start::AtHand,
@@ -160,7 +131,6 @@ pub(crate) const LADDER: &[Rung] = &[
     },
     Rung {
         name: "from the coarse mesh",
-        mesh: MeshLevel::Fine,
         condition: Condition::Always,
         weights: Weights::Asked,
         start: Start::Coarse,
@@ -168,10 +138,8 @@ pub(crate) const LADDER: &[Rung] = &[
         options: DIRECT,
         kept: Kept::Result,
     },
-    along_normals(MeshLevel::Fine),
     Rung {
         name: "member of the coarse mesh",
-        mesh: MeshLevel::Fine,
         condition: Condition::Harmonic,
         weights: Weights::Asked,
         start: Start::CoarseMember,
@@ -181,7 +149,6 @@ pub(crate) const LADDER: &[Rung] = &[
     },
     Rung {
         name: "direct",
-        mesh: MeshLevel::Any,
         condition: Condition::Always,
         weights: Weights::Asked,
         start: Start::Linear,
@@ -191,7 +158,6 @@ pub(crate) const LADDER: &[Rung] = &[
     },
     Rung {
         name: "target continuation",
-        mesh: MeshLevel::Any,
         condition: Condition::Target,
         weights: Weights::Asked,
         start: Start::Linear,
@@ -203,20 +169,20 @@ pub(crate) const LADDER: &[Rung] = &[
         },
         kept: Kept::Result,
     },
-    along_normals(MeshLevel::Any),
     Rung {
-        name: "second surface",
-        mesh: MeshLevel::Any,
-        condition: Condition::Harmonic,
-        weights: Weights::Asked,
-        start: Start::BesideSound,
-        procedure: Procedure::RepairHere,
-        options: PATIENT,
+        name: "along normals",
+        condition: Condition::Always,
+        weights: Weights::None,
+        start: Start::Stalled,
+        procedure: Procedure::Iteration,
+        options: IterateOptions {
+            phase: "along the normals",
+            ..DIRECT
+        },
         kept: Kept::Result,
     },
     Rung {
         name: "from least bending",
-        mesh: MeshLevel::Any,
         condition: Condition::Always,
         weights: Weights::LeastBending,
         start: Start::LeastBending,
@@ -225,8 +191,16 @@ pub(crate) const LADDER: &[Rung] = &[
         kept: Kept::Result,
     },
     Rung {
+        name: "second surface",
+        condition: Condition::Harmonic,
+        weights: Weights::Asked,
+        start: Start::BesideSound,
+        procedure: Procedure::RepairHere,
+        options: PATIENT,
+        kept: Kept::Result,
+    },
+    Rung {
         name: "minimal energy",
-        mesh: MeshLevel::Any,
         condition: Condition::Harmonic,
         weights: Weights::LeastBending,
         start: Start::LeastBending,
@@ -241,18 +215,7 @@ pub(crate) const LADDER: &[Rung] = &[
         kept: Kept::Start,
     },
     Rung {
-        name: "from minimal energy",
-        mesh: MeshLevel::Any,
-        condition: Condition::Harmonic,
-        weights: Weights::LeastBending,
-        start: Start::MinimalEnergy,
-        procedure: Procedure::Regain,
-        options: DIRECT,
-        kept: Kept::Result,
-    },
-    Rung {
         name: "nearest member",
-        mesh: MeshLevel::Any,
         condition: Condition::Harmonic,
         weights: Weights::LeastBending,
         start: Start::MinimalEnergy,
@@ -305,10 +268,6 @@ mod tests {
 
     /// A line of the table in ARCHITECTURE.md.
     fn line(attempt: &Rung) -> String {
-        let mesh = match attempt.mesh {
-            MeshLevel::Any => "",
-            MeshLevel::Fine => "fine",
-        };
         let weights = match attempt.weights {
             Weights::Asked => "asked",
             Weights::LeastBending => "of least bending",
@@ -335,7 +294,7 @@ mod tests {
         let condition = condition(attempt.condition);
         let (start, procedure) = (start(attempt.start), procedure(attempt.procedure));
         format!(
-            "| {name} | {mesh} | {condition} | {weights} | {start} | {procedure} | {tolerance} | {matrix} | {kept} |"
+            "| {name} | {condition} | {weights} | {start} | {procedure} | {tolerance} | {matrix} | {kept} |"
         )
     }
 

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use fairmesh_linear::interrupt::unless_stopped;
 use nalgebra::Vector3;
 
-use super::attempt::{Kept, LADDER, MeshLevel, Rung, Start};
+use super::attempt::{Kept, LADDER, Rung, Start};
 use super::candidate::Candidate;
 use super::coarse_result::CoarseResult;
 use super::control::{ANALYSED, Control, ITERATED};
@@ -18,7 +18,7 @@ use super::formulation::Formulation;
 use super::initial;
 use super::iterate_options::IterationStatus;
 use super::problem::Problem;
-use super::procedure::{Procedure, Underway};
+use super::procedure::Underway;
 use super::quasi_newton::Iteration;
 use super::result::{SolveResult, SolveStatus, Trial};
 use super::system::System;
@@ -337,9 +337,9 @@ impl Ladder {
     fn is_due(&self, attempt: &Rung, system: &System, control: &Control<'_>) -> bool {
         // Beside a sound surface only those that may find another one.
         let is_rival = match attempt.start {
-            Start::MinimalEnergy => attempt.procedure != Procedure::Approach,
+            Start::LeastBending => attempt.kept == Kept::Result,
             Start::BesideSound => true,
-            _ => attempt.kept == Kept::Start,
+            _ => false,
         };
         let is_coarsest = matches!(self.coarse, Some(CoarseResult::NoCoarseMesh));
         // The coarse mesh has looked for others far off.
@@ -348,10 +348,6 @@ impl Ladder {
             return false;
         }
         attempt.condition.holds(system, control)
-            && match attempt.mesh {
-                MeshLevel::Any => true,
-                MeshLevel::Fine => !is_coarsest,
-            }
     }
 
     /// The member of the family that the coarse mesh has.

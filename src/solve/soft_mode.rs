@@ -66,13 +66,14 @@ impl Displaced {
     }
 }
 
-/// Where the second surface is to be expected, if it has less bending energy than the solution `x`, near which `P` was made.
+/// Where the second surface is to be expected, if it has less bending energy than the solution `x`. `P` is made there.
 pub(crate) fn second_surface(
     x: &[Vector3<f64>],
     formulation: &Formulation,
     system: &mut System,
     control: &mut Control<'_>,
 ) -> Option<Vec<Vector3<f64>>> {
+    system.rebuild(x, formulation).ok()?;
     system.evaluate(x, formulation);
     let surface = Displaced {
         formulation: formulation.clone(),

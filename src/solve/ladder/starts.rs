@@ -18,10 +18,10 @@ use crate::solve::system::System;
 use crate::support::stopwatch::Stopwatch;
 
 impl Ladder {
-    /// The coarse mesh's surface, if it is harmonic or not, as asked; along the normals where it was found so.
+    /// The coarse mesh's surface, or only if that is another member of the family; along the normals where it was found so.
     fn of_coarse_mesh(
         &self,
-        harmonic: bool,
+        is_other_member: bool,
         formulation: &mut Formulation,
         system: &mut System,
         control: &mut Control<'_>,
@@ -34,7 +34,7 @@ impl Ladder {
         else {
             return None;
         };
-        if (*member == 0.0) != harmonic {
+        if is_other_member && *member == 0.0 {
             return None;
         }
         let mut x = x.clone();
@@ -112,8 +112,8 @@ impl Ladder {
         let start = match attempt.start {
             Start::AtHand => self.at_hand.take(),
             Start::Linear => self.linear.clone(),
-            Start::Coarse => self.of_coarse_mesh(true, &mut formulation, system, control),
-            Start::CoarseMember => self.of_coarse_mesh(false, &mut formulation, system, control),
+            Start::Coarse => self.of_coarse_mesh(false, &mut formulation, system, control),
+            Start::CoarseMember => self.of_coarse_mesh(true, &mut formulation, system, control),
             Start::MinimalEnergy => self.minimal_energy.clone(),
             Start::Stalled => self.stalled.take().map(|(x, _)| x),
             Start::BesideSound => second_surface(&self.sound.as_ref()?.x, &formulation, system, control),
