@@ -8,6 +8,9 @@
 #   ./reproduce.sh continuity [--scan NAME MESH FREE-VERTICES VIEW[/UP]]...
 # writes docs/g2.md and docs/g2/*.png: curvature continuity beside tangent continuity, libigl and CGAL (Debian's
 # libcgal-dev, installed where it is missing).
+#   ./reproduce.sh ladder
+# writes docs/ladder.md: which of the solver's attempts finds the surface, over regions and holes of Debian's libcgal-demo (installed where
+# it is missing).
 # The measurements are Python, in reproduction/: numpy, scipy and libigl come from PyPI, into target/reproduction/python.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -30,13 +33,23 @@ if [ "$(cat "$home/wanted" 2>/dev/null)" != "$wanted" ]; then
     echo "$wanted" >"$home/wanted"
 fi
 cargo build --release --locked --bin fairmesh
+case "${1:-}" in continuity | ladder)
+    # What the command line does not print: mean curvature of any mesh, fitted normals, or a thousand reports quickly.
+    bindings/declarations.sh python
+    FAIRMESH_LIBRARY=$(python3 bindings/python/build_library.py)
+    export FAIRMESH_LIBRARY PYTHONPATH=bindings/python/src
+    ;;
+esac
+if [ "${1:-}" = ladder ]; then
+    meshes=target/reproduction/data/meshes
+    archive=/usr/share/doc/libcgal-demo/data.tar.gz
+    [ -e $archive ] || install_packages libcgal-demo
+    [ -e $meshes ] || tar -xzf $archive -C target/reproduction
+    set -- "$@" --meshes $meshes
+fi
 if [ "${1:-}" = continuity ]; then
     if [ ! -e /usr/include/CGAL/Polygon_mesh_processing/fair.h ] || ! command -v g++ >/dev/null; then
         install_packages g++ libcgal-dev libeigen3-dev
     fi
-    # What the command line does not print: mean curvature of any mesh, fitted normals.
-    bindings/declarations.sh python
-    FAIRMESH_LIBRARY=$(python3 bindings/python/build_library.py)
-    export FAIRMESH_LIBRARY PYTHONPATH=bindings/python/src
 fi
 exec "$home/bin/python" -m reproduction --program "${CARGO_TARGET_DIR:-target}/release/fairmesh" "$@"

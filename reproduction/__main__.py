@@ -1,4 +1,4 @@
-"""Writes REPRODUCTION.md, docs/measurements.md or docs/g2.md, with their pictures. `./reproduce.sh` starts this."""
+"""Writes REPRODUCTION.md, docs/measurements.md, docs/ladder.md or docs/g2.md. `./reproduce.sh` starts this."""
 
 from __future__ import annotations
 
@@ -22,11 +22,21 @@ def machine() -> str:
 def main() -> None:
     """The command line."""
     parser = argparse.ArgumentParser(prog="reproduce.sh", description=__doc__)
-    parser.add_argument("what", nargs="?", choices=["paper", "measurements", "continuity"], default="paper")
+    parser.add_argument(
+        "what",
+        nargs="?",
+        choices=["paper", "measurements", "continuity", "ladder"],
+        default="paper",
+    )
     parser.add_argument("--program", type=Path, required=True, help="fairmesh")
+    parser.add_argument("--meshes", type=Path, help="whose regions are faired")
     parser.add_argument("--runs", type=int, default=5, help="of each row of the paper's table")
     parser.add_argument(
-        "--scan", nargs=4, action="append", default=[], metavar=("NAME", "MESH", "FREE-VERTICES", "VIEW")
+        "--scan",
+        nargs=4,
+        action="append",
+        default=[],
+        metavar=("NAME", "MESH", "FREE-VERTICES", "VIEW"),
     )
     asked = parser.parse_args()
     scans = [Scan(name, Path(mesh), Path(free), view) for name, mesh, free, view in asked.scan]
@@ -34,13 +44,21 @@ def main() -> None:
     tool = Tool(asked.program, ROOT / "target/reproduction", ROOT / "docs" / pictures)
     if asked.what == "measurements":
         file, text = "docs/measurements.md", measurements.document(tool, machine())
+    elif asked.what == "ladder":
+        # Needs the Python package.
+        from . import ladder
+
+        file, text = "docs/ladder.md", ladder.document(asked.meshes)
     elif asked.what == "continuity":
-        # Needs the Python package, as nothing else here does.
+        # So does this.
         from . import continuity
 
         file, text = "docs/g2.md", continuity.document(tool, scans, machine())
     else:
-        file, text = "REPRODUCTION.md", paper.document(tool, scans, machine(), asked.runs)
+        file, text = (
+            "REPRODUCTION.md",
+            paper.document(tool, scans, machine(), asked.runs),
+        )
     (ROOT / file).write_text(text, encoding="utf-8")
 
 

@@ -251,6 +251,7 @@ fn measured_pages_have_the_words_of_their_templates() {
         ("paper.md", "REPRODUCTION.md"),
         ("measurements.md", "docs/measurements.md"),
         ("g2.md", "docs/g2.md"),
+        ("ladder.md", "docs/ladder.md"),
     ] {
         let [words, page] = [format!("reproduction/{template}"), page.to_owned()]
             .map(|path| fs::read_to_string(root().join(path)).unwrap());
