@@ -88,6 +88,7 @@ pub fn run(args: &DemoArgs) -> Result<bool, Failure> {
         stale_normals: 0,
         is_verbose: false,
         asks_continuity: false,
+        has_with_others: None,
     };
     let text = format!(
         "Written to {name}: {}\n{WHAT_TO_LOOK_AT}{}\n{}",

@@ -11,6 +11,7 @@ use clap::Args;
 use fairmesh::{Options, Outcome, OutputPrecision, Progress, Solution, SolverKind};
 use serde_json::Value;
 
+use crate::advice::may_depend_on_triangles;
 use crate::bar::Bar;
 use crate::batch::{self, Done, Telling};
 use crate::comparison::{MeshSide, PictureArgs, story};
@@ -125,26 +126,17 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
         let failure = explain::refusal(&job.input, &mesh, &error);
         seams::advised(failure, &error, &mesh.geometry, args.mesh.coincident)
     };
-    let input = if args.remesh {
-        let rough = solve(
-            args,
-            solver,
-            &input,
-            Some(remesh::TOLERANCE),
-            OutputPrecision::Double,
-        );
-        remesh::remesh(
-            &input,
-            &rough.map_err(refused)?,
-            args.mesh.coincident,
-            args.threads,
-        )
-        .map_err(refused)?
-    } else {
-        input
+    let input = match args.remesh {
+        true => with_other_triangles(args, solver, &input).map_err(refused)?,
+        false => input,
     };
     let solution = solve(args, solver, &input, args.tolerance, precision).map_err(refused)?;
     let solve = solving.elapsed().as_secs_f64();
+
+    // Nobody reads the advice of a quiet run.
+    let is_told = !args.quiet || job.asks_json || pictures.is_some();
+    let has_with_others = (is_told && !args.remesh && may_depend_on_triangles(&solution.report.outcome))
+        .then(|| has_with_others(args, solver, &input));
 
     let writing = Instant::now();
     let written = if args.remesh {
@@ -169,13 +161,20 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
         stale_normals: written.stale_normals,
         is_verbose: args.verbose,
         asks_continuity: args.continuity.is_asked(),
+        has_with_others,
     };
     if let Some(pictures) = &pictures {
         let after = MeshSide {
             positions: &solution.positions,
             triangles: &input.geometry.triangles,
         };
-        let story = story::of_fairing(&solution.report, args.continuity.is_asked(), summary.readable());
+        let asks_continuity = args.continuity.is_asked();
+        let story = story::of_fairing(
+            &solution.report,
+            asks_continuity,
+            summary.advice(),
+            summary.readable(),
+        );
         pictures.write(mesh.geometry.surface(), after, &story)?;
     }
     Ok(Done {
@@ -192,6 +191,24 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
         readable: orientation::turned(turned) + &summary.readable(),
         references: led.told,
     })
+}
+
+/// The region triangulated anew.
+fn with_other_triangles(
+    args: &FairArgs,
+    solver: SolverKind,
+    input: &FairInput<'_>,
+) -> Result<FairInput<'static>, fairmesh::Error> {
+    let tolerance = Some(remesh::TOLERANCE);
+    let rough = solve(args, solver, input, tolerance, OutputPrecision::Double)?;
+    remesh::remesh(input, &rough, args.mesh.coincident, args.threads)
+}
+
+/// Whether `--remesh` leads to a sound surface.
+fn has_with_others(args: &FairArgs, solver: SolverKind, input: &FairInput<'_>) -> bool {
+    let solution = with_other_triangles(args, solver, input)
+        .and_then(|others| solve(args, solver, &others, args.tolerance, OutputPrecision::Double));
+    solution.is_ok_and(|solution| solution.report.outcome.is_success())
 }
 
 /// What the user chose in a file.

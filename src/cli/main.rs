@@ -7,6 +7,7 @@
 #[path = "../../tests/common/asserts.rs"]
 mod asserts;
 
+mod advice;
 mod answer;
 mod attempts;
 mod bar;

@@ -5,6 +5,7 @@ use std::fmt::{Display, Write};
 use fairmesh::{ComponentReport, LevelReport, Outcome, Quality, Report, Target};
 use serde_json::{Value, json};
 
+use crate::advice;
 use crate::attempts;
 use crate::component_report;
 use crate::continuity;
@@ -36,6 +37,8 @@ pub struct Summary<'a> {
     pub is_verbose: bool,
     /// Whether more than tangent planes was to be continued.
     pub asks_continuity: bool,
+    /// Whether the region has a sound surface with other triangles, where that was tried.
+    pub has_with_others: Option<bool>,
 }
 
 /// The readable report.
@@ -70,10 +73,15 @@ impl Summary<'_> {
         faces
     }
 
+    /// What to do about the outcome; empty after a success.
+    pub fn advice(&self) -> &'static str {
+        advice::of_fairing(&self.report.outcome, self.has_with_others)
+    }
+
     /// Lines for people.
     pub fn readable(&self) -> String {
         let mut table = Table(format!("{}\n", explain::outcome(self.report)));
-        let advice = self.report.outcome.remedy();
+        let advice = self.advice();
         if !advice.is_empty() {
             table.row("what to do", advice);
         }
@@ -221,7 +229,7 @@ impl Summary<'_> {
     pub fn json(&self) -> Value {
         let report = self.report;
         let reason = (report.outcome != Outcome::Converged).then(|| explain::outcome(report));
-        let advice = Some(report.outcome.remedy()).filter(|advice| !advice.is_empty());
+        let advice = Some(self.advice()).filter(|advice| !advice.is_empty());
         let reached = match report.outcome {
             Outcome::TargetNotReachable { reached } => Some(reached),
             _ => None,
@@ -426,6 +434,7 @@ mod tests {
                 stale_normals: 0,
                 is_verbose: false,
                 asks_continuity: false,
+                has_with_others: None,
             };
             (summary.readable(), summary.json())
         };
@@ -485,6 +494,7 @@ mod tests {
             stale_normals: 2,
             is_verbose: false,
             asks_continuity: false,
+            has_with_others: None,
         };
         let json = summary.json();
         assert_eq!(json["outcome"], "not_converged");
@@ -539,6 +549,7 @@ mod tests {
                 stale_normals: 0,
                 is_verbose: false,
                 asks_continuity: false,
+                has_with_others: None,
             };
             let text = summary.readable();
             assert_contains!(text, "\n  what to do:");

@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 use std::fs;
+use std::ops::Range;
+use std::path::Path;
 
 use crate::common::{
     SIDE, directory, expect, fairmesh, is_selected, obj, off_sphere, quads, sheet, write_lists,
@@ -165,6 +167,50 @@ fn a_region_can_be_triangulated_anew_before_it_is_faired() {
         })
         .collect();
     assert!(off_sphere(&x) < 1e-3);
+}
+
+/// A pole and rings of vertices around the z axis below it, each a radius and a height, as an OBJ of triangles; some of the vertices are free, of
+/// which the pole is the first.
+fn pole_and_rings(around: usize, rings: &[[f64; 2]], pole: f64, free: Range<usize>, directory: &Path) {
+    let mut text = format!("v 0 0 {pole}\n");
+    for [radius, z] in rings {
+        for i in 0..around {
+            let turn = std::f64::consts::TAU * i as f64 / around as f64;
+            let _ = writeln!(text, "v {} {} {z}", radius * turn.cos(), radius * turn.sin());
+        }
+    }
+    for i in 0..around {
+        let _ = writeln!(text, "f 1 {} {}", 2 + i, 2 + (i + 1) % around);
+    }
+    for k in 0..around * (rings.len() - 1) {
+        let next = k / around * around + (k + 1) % around;
+        let [a, b, c, d] = [k, next, next + around, k + around].map(|v| v + 2);
+        let _ = writeln!(text, "f {a} {d} {c}\nf {a} {c} {b}");
+    }
+    fs::write(directory.join("in.obj"), text).unwrap();
+    let free: Vec<String> = free.map(|v| v.to_string()).collect();
+    fs::write(directory.join("free.txt"), free.join("\n")).unwrap();
+}
+
+/// The advice to triangulate anew is given where that has been tried, and holds.
+#[test]
+fn other_triangles_are_advised_where_they_help() {
+    let directory = directory("advice");
+    let fair = ["fair", "in.obj", "-o", "out.obj", "--free", "free.txt"];
+    // Meridians of a sphere that meet in its pole, at less than a degree.
+    let on_sphere = |degrees: f64| [degrees.to_radians().sin(), degrees.to_radians().cos()];
+    let cap: Vec<[f64; 2]> = (1..9).map(|k| on_sphere(3.0 * f64::from(k))).collect();
+    pole_and_rings(400, &cap, 1.0, 0..801, &directory);
+    let (out, _) = expect(&directory, &fair, 3);
+    assert!(out.contains("what to do:          give --remesh"), "{out}");
+    let (out, _) = expect(&directory, &[&fair[..], &["--remesh"]].concat(), 0);
+    assert!(out.starts_with("converged:"), "{out}");
+    // No triangles have a harmonic surface between two ends of a tube that are so far from each other.
+    let tube: Vec<[f64; 2]> = (0..80).map(|k| [1.0, -0.26 * f64::from(k)]).collect();
+    pole_and_rings(24, &tube, 0.5, 1 + 4 * 24..1 + 76 * 24, &directory);
+    let (out, _) = expect(&directory, &fair, 3);
+    assert!(out.contains("what to do:") && !out.contains("--remesh"), "{out}");
+    expect(&directory, &[&fair[..], &["--remesh"]].concat(), 3);
 }
 
 /// Texture coordinates that follow the position.

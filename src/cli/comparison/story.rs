@@ -12,7 +12,7 @@ const LINES: &str = "Look at the reflection lines: they should run over the edge
 const KINKS: &str = "; a kink there is a jump of curvature, which '--continuity g2' takes away.";
 
 /// Of a region that was faired.
-pub fn of_fairing(report: &Report, asks_continuity: bool, printed: String) -> Story {
+pub fn of_fairing(report: &Report, asks_continuity: bool, remedy: &str, printed: String) -> Story {
     let is_good = report.outcome == Outcome::Converged;
     let mut facts = vec![("vertices that moved", report.free_vertices.to_string())];
     facts.extend(surface(report, asks_continuity));
@@ -20,7 +20,7 @@ pub fn of_fairing(report: &Report, asks_continuity: bool, printed: String) -> St
         command: "fair",
         is_good,
         outcome: explain::outcome(report),
-        advice: advice([report], is_good, asks_continuity),
+        advice: advice([remedy], is_good, asks_continuity),
         facts: named(facts),
         printed,
     }
@@ -54,14 +54,14 @@ pub fn of_patches(
                 .map(|(what, text)| (format!("{name}: {what}"), text)),
         );
     }
-    let fairings = patches
+    let remedies = patches
         .iter()
-        .filter_map(|(_, _, report)| report.fairing.as_ref());
+        .filter_map(|(_, _, report)| Some(report.fairing.as_ref()?.outcome.remedy()));
     Story {
         command,
         is_good,
         outcome,
-        advice: advice(fairings, is_good, asks_continuity),
+        advice: advice(remedies, is_good, asks_continuity),
         facts,
         printed,
     }
@@ -115,15 +115,14 @@ fn surface(report: &Report, asks_continuity: bool) -> Vec<(&'static str, String)
     rows
 }
 
-/// The remedies of all outcomes, each once; what to look at where all is well.
+/// These, each once; what to look at where all is well.
 fn advice<'a>(
-    reports: impl IntoIterator<Item = &'a Report>,
+    remedies: impl IntoIterator<Item = &'a str>,
     is_good: bool,
     asks_continuity: bool,
 ) -> Vec<String> {
     let mut advice: Vec<String> = Vec::new();
-    for report in reports {
-        let remedy = report.outcome.remedy().to_owned();
+    for remedy in remedies.into_iter().map(str::to_owned) {
         if !remedy.is_empty() && !advice.contains(&remedy) {
             advice.push(remedy);
         }
