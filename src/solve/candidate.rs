@@ -148,7 +148,7 @@ impl Candidate {
     /// Of two sound surfaces the one of less bending energy is the better one, unless it turns away from boundary normals, or has the weights of
     /// the surface of least bending: on coarse meshes these alone change the energy by a third.
     pub(crate) fn is_better_than(&self, other: &Self) -> bool {
-        let is_as_asked = other.formulation.of_least_bending || !self.formulation.of_least_bending;
+        let is_as_asked = other.formulation.of_surface || !self.formulation.of_surface;
         is_as_asked
             && self.bending_energy < (1.0 - LESS_ENERGY) * other.bending_energy
             && self.suspicious_normals <= other.suspicious_normals

@@ -12,8 +12,8 @@ pub(crate) struct Formulation {
     pub right_hand_side: RightHandSide,
     /// Inner fairness (7.3).
     pub weights: Arc<FairnessWeights>,
-    /// They are those of the surface of least bending in place of those that are asked for.
-    pub of_least_bending: bool,
+    /// They are those of a surface, that of least bending or the input's, in place of those that are asked for.
+    pub of_surface: bool,
     /// Steps have no tangential part: inner fairness is not asked for.
     pub along_normals: bool,
 }
@@ -21,7 +21,7 @@ pub(crate) struct Formulation {
 impl Formulation {
     /// Whether no vertex is spread as asked.
     pub(crate) fn spreads_otherwise(&self) -> bool {
-        self.of_least_bending || self.along_normals
+        self.of_surface || self.along_normals
     }
 
     /// The same with the member `w` of the family between the harmonic equation and minimal energy.

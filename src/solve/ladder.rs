@@ -481,7 +481,7 @@ mod tests {
             formulation: Formulation {
                 right_hand_side: RightHandSide::default(),
                 weights: FairnessWeights::uniform().into(),
-                of_least_bending: false,
+                of_surface: false,
                 along_normals: false,
             },
             poor: Vec::new(),

@@ -115,7 +115,7 @@ impl System {
             asked: Formulation {
                 right_hand_side: problem.right_hand_side,
                 weights: weights.clone(),
-                of_least_bending: false,
+                of_surface: false,
                 along_normals: false,
             },
             asked_continuity: problem.continuity.cloned(),

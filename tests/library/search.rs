@@ -43,6 +43,35 @@ fn between_the_ends_of_a_tube_the_cylinder_is_found_and_no_hourglass() {
     }
 }
 
+/// Most triangles are five times as wide as they are high: nowhere on the cylinder could vertices be spread evenly.
+#[test]
+fn stretched_triangles_keep_their_shapes_where_uniform_weights_lead_nowhere() {
+    for seed in [6, 12] {
+        let mut shape = cylinder_band(1500, irregular(seed), OUTSIDE);
+        shape.positions.iter_mut().for_each(|p| p[2] *= 0.2);
+        let asked = options(1e-8);
+        let solution = solve(&shape, &shape.positions, asked.clone());
+        let off = |p: &[f64; 3]| (p[0].hypot(p[1]) - 1.0).abs();
+        let worst = solution.positions.iter().map(off).fold(0.0, f64::max);
+        println!("{seed}: {:?}, {worst:.1e}", solution.report.outcome);
+        assert!(
+            solution.report.outcome.is_success() && worst < 1e-3,
+            "{seed}: {worst}"
+        );
+        let attempts = &solution.report.components[0].attempts;
+        assert_eq!(attempts.len(), 1, "{attempts:?}");
+        assert_eq!(solution.report.fallback_weights, solution.report.free_vertices);
+        // The explicit choice needs no second round.
+        let conformal = Options {
+            inner_fairness: InnerFairness::Conformal,
+            ..asked
+        };
+        let as_input = solve(&shape, &shape.positions, conformal);
+        assert!(as_input.report.outcome.is_success(), "{seed}");
+        assert!(as_input.report.iterations < solution.report.iterations, "{seed}");
+    }
+}
+
 /// Between these boundaries there are two harmonic surfaces of revolution, 0.02 apart: the exact one, whose neck has a radius of .436 and whose
 /// integral of `H^2` is 6.45, and one with .469 and 7.23 (both by shooting, with the ordinary differential equations of the profile).
 #[test]
@@ -103,7 +132,7 @@ fn block_beside_the_pole() -> (Vec<[f64; 3]>, Vec<[u32; 3]>, Vec<bool>) {
     (positions, triangles, free)
 }
 
-/// Uniform weights would pull the vertices over the short edges beside the pole.
+/// Uniform weights would pull the vertices over the short edges beside the pole; they are spread as in the input.
 #[test]
 fn a_block_beside_the_pole_of_a_sphere_is_faired() {
     let (positions, triangles, free) = block_beside_the_pole();
@@ -115,7 +144,8 @@ fn a_block_beside_the_pole_of_a_sphere_is_faired() {
     assert_below!(farthest, 0.01);
     let attempts = &solution.report.components[0].attempts;
     let last = attempts.last().unwrap();
-    assert_eq!((last.name, last.end), ("from least bending", AttemptEnd::Sound));
+    assert_eq!((last.name, last.end), ("direct", AttemptEnd::Sound));
+    assert_eq!(solution.report.fallback_weights, solution.report.free_vertices);
 }
 
 /// Of the attempts on the coarse mesh, those at harmonic surfaces.

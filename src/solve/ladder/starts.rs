@@ -99,7 +99,7 @@ impl Ladder {
             Weights::LeastBending => {
                 let (_, weights) = self.least_bending(system, control)?;
                 Formulation {
-                    of_least_bending: true,
+                    of_surface: true,
                     ..system.asked().weighted(weights.clone())
                 }
             }
