@@ -106,13 +106,28 @@ void log_continuity(const fairmesh::result &result, const Host &host, std::uint6
         host.log("Curvature continuity was not reached: no boundary has surroundings and vertices enough, or no surface was found");
 }
 
+namespace {
+
+/** In MeshLab's own words where it has a parameter or a filter that helps. */
+std::string what_to_do(std::uint32_t outcome) {
+    switch (outcome) {
+    case FAIRMESH_OUTCOME_NOT_CONVERGED: return "select more, take averaged boundary normals, or apply 'Erase and Fill Smoothly'";
+    case FAIRMESH_OUTCOME_CONVERGED_POOR_TRIANGLES:
+        return "look at these triangles; the vertex distribution 'Even', or 'Erase and Fill Smoothly', usually cures them";
+    case FAIRMESH_OUTCOME_ITERATION_LIMIT: return "allow more iterations, or fair the result once more";
+    case FAIRMESH_OUTCOME_TARGET_NOT_REACHABLE: return "give a smaller bulge, or select a smaller region";
+    default: return fairmesh::remedy(FAIRMESH_ANSWER_OUTCOME, outcome);
+    }
+}
+
+} // namespace
+
 std::string reservation(const fairmesh_report &report) {
     if (report.outcome == FAIRMESH_OUTCOME_CONVERGED) return "";
     const bool loosely = report.outcome == FAIRMESH_OUTCOME_CONVERGED_LOOSELY;
     const std::string what = loosely ? fairmesh::meaning(FAIRMESH_ANSWER_LOOSE_REASON, report.loose_reason)
                                      : fairmesh::meaning(FAIRMESH_ANSWER_OUTCOME, report.outcome);
-    const std::string remedy = loosely ? fairmesh::remedy(FAIRMESH_ANSWER_LOOSE_REASON, report.loose_reason)
-                                       : fairmesh::remedy(FAIRMESH_ANSWER_OUTCOME, report.outcome);
+    const std::string remedy = loosely ? fairmesh::remedy(FAIRMESH_ANSWER_LOOSE_REASON, report.loose_reason) : what_to_do(report.outcome);
     std::string figures;
     if (report.outcome == FAIRMESH_OUTCOME_CONVERGED_POOR_TRIANGLES || report.outcome == FAIRMESH_OUTCOME_POOR_WHEN_ROUNDED)
         figures = text(" (%llu triangles)", static_cast<unsigned long long>(report.poor_triangle_count));

@@ -113,7 +113,7 @@ options! {
         /// What `Delta_B H` has to be. Default: zero.
         target: Target = Target::default(), with "fairmesh_target";
         /// How vertices are distributed within the surface. Default: uniform; where that leads nowhere and most triangles of the input are
-        /// stretched, as conformal ([`Report::fallback_weights`](crate::Report::fallback_weights) counts such vertices).
+        /// stretched, as conformal (`fallback_weights` of the report counts such vertices).
         inner_fairness: InnerFairness = InnerFairness::default(), choice "fairmesh_inner_fairness";
         /// How normals and mean curvature are discretized. Default: second order.
         discretization: Discretization = Discretization::default(), choice "fairmesh_discretization";

@@ -16,6 +16,14 @@ _ADVICE = {
     Status.NO_NORMAL: "The faces around this vertex have no area: merge or dissolve them, or select them, too",
 }
 
+# The same for outcomes.
+_AFTER = {
+    Outcome.NOT_CONVERGED: "Select more, set Tangents to Averaged, or use Erase and Fill",
+    Outcome.CONVERGED_POOR_TRIANGLES: "Look at these faces; the Distribution Even, or Erase and Fill, usually cures them",
+    Outcome.ITERATION_LIMIT: "Allow more Iterations, or fair the result once more",
+    Outcome.TARGET_NOT_REACHABLE: "Give less Bulge, or select a smaller region",
+}
+
 
 # How much of it there is. `r` is the report.
 _FIGURES = {
@@ -93,7 +101,8 @@ def faired(report, continuity=0.0):
     if report.outcome is Outcome.CONVERGED:
         return "INFO", vertices + short
     figures = _FIGURES.get(report.outcome, "").format(r=report, reached=100 * report.reached)
-    return "WARNING", f"{vertices}{_components(report)}: {report.text}{figures}. {_sentence(report.remedy)}{short}"
+    advice = _AFTER.get(report.outcome) or _sentence(report.remedy)
+    return "WARNING", f"{vertices}{_components(report)}: {report.text}{figures}. {advice}{short}"
 
 
 def _short_of_curvature(reports, asked):

@@ -42,6 +42,7 @@ def test_components_are_counted_where_some_are_not_fair():
             free_vertices=9,
             iterations=5,
             reached=1.0,
+            member_weight=0.5,
             text="text",
             remedy="remedy",
         )
@@ -49,7 +50,11 @@ def test_components_are_counted_where_some_are_not_fair():
 
     good, bad = outcome.CONVERGED, outcome.NOT_CONVERGED
     assert told(good, good) == ("INFO", "9 vertices faired in 5 iterations")
-    assert told(bad) == ("WARNING", "9 vertices faired in 5 iterations: text. Remedy")
+    assert told(bad) == (
+        "WARNING",
+        "9 vertices faired in 5 iterations: text. Select more, set Tangents to Averaged, or use Erase and Fill",
+    )
+    assert told(outcome.NEAREST_MEMBER)[1].endswith(". Remedy")
     kind, text = told(good, good, bad)
     assert kind == "WARNING" and "(2 of 3 separate parts are fair; one that is not is at vertex 20)" in text
 
