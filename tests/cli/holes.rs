@@ -139,6 +139,19 @@ fn obj_gets_lines_and_other_formats_are_written_anew() {
         2,
     );
     assert!(!directory.join("x.obj").exists());
+    let few = [
+        "fill",
+        "in.obj",
+        "-o",
+        "few.obj",
+        "--density",
+        "3",
+        "--max-iterations",
+    ];
+    let (out, _) = expect(&directory, &[&few[..], &["1"]].concat(), 3);
+    assert!(out.contains("iteration limit"), "{out}");
+    let (_, err) = expect(&directory, &[&few[..], &["0"]].concat(), 2);
+    assert!(err.contains("--max-iterations 0: it must be at least 1"), "{err}");
 }
 
 #[test]
