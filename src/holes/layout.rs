@@ -3,7 +3,7 @@
 use crate::holes::joint;
 use crate::holes::patch::Patch;
 use crate::holes::patch_surface::{Layout, Task};
-use crate::holes::sweep::sweep;
+use crate::holes::sweep::{is_long, sweep};
 use crate::holes::triangulate::{Barred, Measure};
 
 /// On short edges of the boundary, edges may be this much longer than those: triangles keep 15 degrees.
@@ -23,6 +23,7 @@ impl Task<'_> {
     /// One after the other, until one leads to a clean surface: which does is not known before.
     pub(super) fn layouts(&self) -> &'static [Layout] {
         match self.is_joint() {
+            true if is_long(&self.surroundings.loop_set()) => &[Layout::Swept],
             true => &[Layout::Swept, Layout::First, Layout::Other],
             false => &[Layout::First],
         }

@@ -26,6 +26,11 @@ const LEAST_AROUND: usize = 6;
 /// Of 62 pipes, half: 17 get another triangulation, their radii change by up to 0.03; double: 15, by up to 0.03.
 const PLACES: usize = 64;
 
+/// Between ends that are further from each other than this many of the longer girth, films have a thread between them at best: a straight pipe
+/// that is harmonic is as long as one.
+/// Half or double, of 62 pipes as long as 6 radii at most: the same are found.
+const LONG: f64 = 1.0;
+
 /// What is between the two loops.
 pub(super) struct Sweep {
     /// Without new vertices: where those of the patch come from.
@@ -56,12 +61,15 @@ struct Ring {
 /// The rows between two loops that are ends of a tube, or none if they are not, or too near to each other. Edges are wanted as long as
 /// `factor` times those of the mesh at each vertex, of no more `sizes` than a loop's own; there are about `most` vertices, at most.
 pub(super) fn sweep(set: &LoopSet, sizes: &[f64], factor: f64, most: usize) -> Option<Sweep> {
-    if set.count() != 2 || !set.guides.is_empty() || is_linked(set) {
-        return None;
-    }
-    let ends = ends(set, sizes)?;
-    let spine = Spine::new(&ends);
-    Swept::new(set, ends, spine).rows(factor, most)
+    Swept::of(set, sizes)?.rows(factor, most)
+}
+
+/// Whether the loops are ends of a tube, and far from each other ([`LONG`]).
+pub(super) fn is_long(set: &LoopSet) -> bool {
+    Swept::of(set, &vec![f64::INFINITY; set.x.len()]).is_some_and(|swept| {
+        let girths = swept.ends.iter().map(|end| end.girth);
+        swept.spine.length > LONG * girths.fold(0.0, f64::max)
+    })
 }
 
 /// Whether the mesh has an edge between both loops.
@@ -214,7 +222,13 @@ struct Swept<'a> {
 }
 
 impl<'a> Swept<'a> {
-    fn new(set: &'a LoopSet, ends: [End; 2], spine: Spine) -> Self {
+    /// That between two loops that are ends of a tube.
+    fn of(set: &'a LoopSet, sizes: &[f64]) -> Option<Self> {
+        if set.count() != 2 || !set.guides.is_empty() || is_linked(set) {
+            return None;
+        }
+        let ends = ends(set, sizes)?;
+        let spine = Spine::new(&ends);
         let mut swept = Self {
             set,
             ends,
@@ -222,7 +236,7 @@ impl<'a> Swept<'a> {
             shift: 0.0,
         };
         swept.shift = swept.least_twist();
-        swept
+        Some(swept)
     }
 
     /// A place on one of both loops, from its centre, as it is at the first end.

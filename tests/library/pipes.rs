@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 
-use fairmesh::{FillOptions, Filled, Join, Loops, Options, Outcome, boundary_loops, fill_holes};
+use fairmesh::{FillOptions, FillOutcome, Filled, Join, Loops, Options, Outcome, boundary_loops, fill_holes};
 
 type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
 
@@ -197,6 +197,21 @@ fn a_tube_of_one_row_is_not_taken_for_a_sphere() {
         .map(off)
         .fold(0.0, f64::max);
     assert!(worst < 0.005, "{worst}");
+}
+
+/// A tube that is longer than it is around is left as one, not as lids with a thread between them.
+#[test]
+fn no_film_is_tried_where_the_ends_are_too_far_from_each_other() {
+    let (_, filled) = Elbow::straight(32, 12.0, false).joined(500);
+    let report = &filled.loops[0];
+    assert_eq!(report.outcome, FillOutcome::LeastBending);
+    assert!(!filled.is_success());
+    // Rows of 32, .17 from each other.
+    assert!(
+        (2000..2500).contains(&report.vertices.len()),
+        "{:?}",
+        report.vertices
+    );
 }
 
 /// A patch that cannot be found in so few iterations is not called one that is.
