@@ -21,8 +21,7 @@ pub fn remesh(
     coincident: Coincident,
     threads: usize,
 ) -> Result<FairInput<'static>, fairmesh::Error> {
-    let is_poor = matches!(rough.report.outcome, Outcome::ConvergedPoorTriangles { .. });
-    let refilled = match rough.report.least_bending || is_poor {
+    let refilled = match needs_hole(rough) {
         true => refill(input, coincident, threads)?,
         false => None,
     };
@@ -72,8 +71,14 @@ pub fn remesh(
     })
 }
 
+/// Whether the shape of the region has led to no surface that its triangles could be laid out on.
+pub fn needs_hole(rough: &Solution) -> bool {
+    let is_poor = matches!(rough.report.outcome, Outcome::ConvergedPoorTriangles { .. });
+    rough.report.least_bending || is_poor
+}
+
 /// The region deleted and filled: its shape has led to no sound surface.
-fn refill(
+pub fn refill(
     input: &FairInput<'_>,
     coincident: Coincident,
     threads: usize,
