@@ -32,8 +32,9 @@ pub struct PatchArgs {
     /// diagonal, between 0 and 1 [default: 1e-8]
     #[arg(long, value_name = "X", verbatim_doc_comment)]
     tolerance: Option<f64>,
-    /// Stop after this many iterations of a patch, at least 1 [default: 500]
-    #[arg(long, value_name = "N")]
+    /// Stop after this many iterations of a patch, at least 1; a hole by itself
+    /// never takes more than 64 [default: 500]
+    #[arg(long, value_name = "N", verbatim_doc_comment)]
     max_iterations: Option<usize>,
     /// Worker threads; 0: one per processor.
     /// The result does not depend on it

@@ -10,6 +10,13 @@ use crate::holes::patch::Patch;
 use crate::holes::surroundings::Surroundings;
 use crate::quality::Quality;
 
+/// At most so many iterations for the fine patch of one loop, those after it was mended included. Of 227 fair patches on public meshes half
+/// took 7, nine of ten 18, the last but two 61; the rest of the ladder is long, and a patch that fails shall not take
+/// much longer than one that is found. A join takes what it is given: pipes of six radii take 70.
+/// Of 41 cases, half: 5 change by up to 3 edges, -19 % iterations, 2 fail;
+/// double: 6 change by up to 0.4 edges, 2 get another triangulation, +32 % iterations, 1 more succeeds.
+const MOST_ITERATIONS: usize = 64;
+
 /// What is asked of the loop that is filled: the last number that is given for any of its vertices, or else that of all loops.
 fn continuity(around: &Surroundings, asked: &Options) -> f64 {
     let mut vertices = around.ids[..around.loop_vertices].to_vec();
@@ -43,6 +50,10 @@ pub(super) fn local_options(around: &Surroundings, asked: &Options) -> Options {
         // The patch is looked at in the whole mesh.
         intersections: Intersections::Skip,
         output_precision: OutputPrecision::Double,
+        max_iterations: match around.loops().count() {
+            1 => asked.max_iterations.min(MOST_ITERATIONS),
+            _ => asked.max_iterations,
+        },
         // The surroundings are of the joined mesh.
         coincident: Coincident::Separate,
         ..asked.clone()

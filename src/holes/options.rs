@@ -176,7 +176,7 @@ options! {
         rim: Rim = Rim::default(), elsewhere;
         /// Whether the patches are faired. Default: yes.
         fair: bool = true, flag;
-        /// For the fairing. Boundary normals are those of the mesh's vertices on the loops. Its iterations are each patch's.
+        /// For the fairing. Boundary normals are those of the mesh's vertices on the loops. Its iterations are each patch's; that of one loop gets no more than 64.
         /// Its `coincident` holds for the whole mesh: loops are those of the joined mesh, and new triangles name of each vertex the
         /// copy in the triangle beside them.
         fairing: Options = Options::default(), elsewhere;

@@ -218,7 +218,8 @@ impl Marks {
         system: &mut System,
         control: &mut Control<'_>,
     ) -> Option<(Vec<Vector3<f64>>, Formulation)> {
-        let is_due = self.surface.is_none() && self.asked.slots.is_none();
+        // Repairs that have begun at the start go on.
+        let is_due = self.surface.is_none() && self.round == 0 && self.asked.slots.is_none();
         if !is_due || !is_stretched(system) {
             return None;
         }

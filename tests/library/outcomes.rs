@@ -660,8 +660,7 @@ fn globe(meridians: usize, height: f64) -> (Vec<[f64; 3]>, Vec<[u32; 3]>, Vec<bo
     (positions, triangles, free)
 }
 
-/// Neither the start from the coarse mesh nor the linear one leads to the surface there while vertices are spread evenly; as in the input, whose
-/// triangles are stretched, they do. The last steps are short ones, so that a tolerance of 1e-8 leaves five times as much.
+/// Neither the start from the coarse mesh nor the linear one leads to the surface there; what has led to it on the coarse mesh does.
 #[test]
 fn a_globe_of_262_meridians_is_a_sphere() {
     let (positions, triangles, free) = globe(262, 0.5);
@@ -670,7 +669,7 @@ fn a_globe_of_262_meridians_is_a_sphere() {
     let error = solution.positions.iter().map(off).fold(0.0, f64::max);
     println!("{} iterations, error {error:.1e}", solution.report.iterations);
     assert!(
-        solution.report.outcome == Outcome::Converged && error < 1e-7,
+        solution.report.outcome == Outcome::Converged && error < 1e-8,
         "{error}"
     );
 }
