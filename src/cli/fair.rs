@@ -206,16 +206,12 @@ fn with_other_triangles(
 
 /// Whether `--remesh` leads to a sound surface. Not tried where `rough` has no shape that it could begin with, and a filled hole has none.
 fn has_with_others(args: &FairArgs, solver: SolverKind, input: &FairInput<'_>, rough: &Solution) -> bool {
-    if remesh::needs_hole(rough)
-        && !matches!(
-            remesh::refill(input, args.mesh.coincident, args.threads),
-            Ok(Some(_))
-        )
-    {
-        return false;
-    }
-    let solution = with_other_triangles(args, solver, input)
-        .and_then(|others| solve(args, solver, &others, args.tolerance, OutputPrecision::Double));
+    let others = match remesh::needs_hole(rough) {
+        true => remesh::refilled(input, args.mesh.coincident, args.threads),
+        false => with_other_triangles(args, solver, input).map(Some),
+    };
+    let Ok(Some(others)) = others else { return false };
+    let solution = solve(args, solver, &others, args.tolerance, OutputPrecision::Double);
     solution.is_ok_and(|solution| solution.report.outcome.is_success())
 }
 

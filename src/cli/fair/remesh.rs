@@ -39,6 +39,20 @@ pub fn remesh(
         Some(mesh) => mesh,
         None => remesh_region(positions, triangles, input.selected.selection(), &options)?,
     };
+    Ok(in_numbers_of(mesh, input))
+}
+
+/// The same by a filled hole alone; none where that has no fair patch.
+pub fn refilled(
+    input: &FairInput<'_>,
+    coincident: Coincident,
+    threads: usize,
+) -> Result<Option<FairInput<'static>>, fairmesh::Error> {
+    Ok(refill(input, coincident, threads)?.map(|mesh| in_numbers_of(mesh, input)))
+}
+
+/// What is faired of a mesh with other triangles in the region of the input.
+fn in_numbers_of(mesh: Remeshed, input: &FairInput<'_>) -> FairInput<'static> {
     let moved = |v: u32| mesh.kept_vertices.binary_search(&v).ok().map(|new| new as u32);
     let boundary_normals = match &input.boundary_normals {
         BoundaryNormals::Given(list) => {
@@ -61,14 +75,14 @@ pub fn remesh(
         kind: Kind::Vertex,
         elements: mesh.free,
     };
-    Ok(FairInput {
+    FairInput {
         geometry: Cow::Owned(Geometry::of_triangles(mesh.positions, mesh.triangles)),
         selected,
         boundary_normals,
         boundary_curvature,
         loop_continuity: loop_continuity.collect(),
         region: input.region.clone(),
-    })
+    }
 }
 
 /// Whether the shape of the region has led to no surface that its triangles could be laid out on.
@@ -78,7 +92,7 @@ pub fn needs_hole(rough: &Solution) -> bool {
 }
 
 /// The region deleted and filled: its shape has led to no sound surface.
-pub fn refill(
+fn refill(
     input: &FairInput<'_>,
     coincident: Coincident,
     threads: usize,
