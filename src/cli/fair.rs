@@ -136,7 +136,7 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
     // Nobody reads the advice of a quiet run.
     let is_told = !args.quiet || job.asks_json || pictures.is_some();
     let has_with_others = (is_told && !args.remesh && may_depend_on_triangles(&solution.report.outcome))
-        .then(|| has_with_others(args, solver, &input, &solution));
+        .then(|| has_with_others(args, solver, &input));
 
     let writing = Instant::now();
     let written = if args.remesh {
@@ -204,13 +204,11 @@ fn with_other_triangles(
     remesh::remesh(input, &rough, args.mesh.coincident, args.threads)
 }
 
-/// Whether `--remesh` leads to a sound surface. Not tried where `rough` has no shape that it could begin with, and a filled hole has none.
-fn has_with_others(args: &FairArgs, solver: SolverKind, input: &FairInput<'_>, rough: &Solution) -> bool {
-    let others = match remesh::needs_hole(rough) {
-        true => remesh::refilled(input, args.mesh.coincident, args.threads),
-        false => with_other_triangles(args, solver, input).map(Some),
+/// Whether `--remesh` leads to a sound surface.
+fn has_with_others(args: &FairArgs, solver: SolverKind, input: &FairInput<'_>) -> bool {
+    let Ok(others) = with_other_triangles(args, solver, input) else {
+        return false;
     };
-    let Ok(Some(others)) = others else { return false };
     let solution = solve(args, solver, &others, args.tolerance, OutputPrecision::Double);
     solution.is_ok_and(|solution| solution.report.outcome.is_success())
 }

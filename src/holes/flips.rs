@@ -1,7 +1,6 @@
 //! Flips towards Delaunay, where they make neither folds nor edges that are there already.
 
 use fairmesh_linear::interrupt::is_stopped;
-use nalgebra::Vector3;
 
 use super::refine::Refiner;
 use crate::mesh::NONE;
@@ -41,13 +40,16 @@ impl Refiner<'_> {
         let (dot0, dot1) = ((p - r).dot(&(q - r)), (p - s).dot(&(q - s)));
         let (old0, old1) = ((q - p).cross(&(r - p)), (p - q).cross(&(s - q)));
         let (right0, right1) = (dot0 >= 0.0, dot1 >= 0.0);
-        if right0 && right1 && old0 != Vector3::zeros() && old1 != Vector3::zeros() {
-            return false;
-        }
         // cot + cot < 0, without division: both cross products are lengths.
         let (l0, l1) = (old0.norm(), old1.norm());
+        // Of a triangle without area neither the angles nor the normal tell anything.
+        let none = 1e-9 * (p - q).norm_squared();
+        let (has0, has1) = (l0 > none, l1 > none);
+        if right0 && right1 && has0 && has1 {
+            return false;
+        }
         let excess = dot0 * l1 + dot1 * l0;
-        if excess >= -1e-10 * (dot0.abs() * l1 + dot1.abs() * l0) && l0 > 0.0 && l1 > 0.0 {
+        if excess >= -1e-10 * (dot0.abs() * l1 + dot1.abs() * l0) && has0 && has1 {
             return false;
         }
         let (new0, new1) = ((p - r).cross(&(s - r)), (q - s).cross(&(r - s)));
@@ -57,7 +59,7 @@ impl Refiner<'_> {
             return false;
         }
         let bend = new0.dot(&new1) / (m0 * m1);
-        if l0 > 0.0 && l1 > 0.0 {
+        if has0 && has1 {
             let before = old0.dot(&old1) / (l0 * l1);
             let side = old0 / l0 + old1 / l1;
             if bend < BEND && bend < before || new0.dot(&side) <= 0.0 || new1.dot(&side) <= 0.0 {

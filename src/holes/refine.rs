@@ -483,4 +483,23 @@ mod tests {
         }
         assert!((area - 1.0).abs() < 1e-12 && worst > 25.0, "{area} {worst}");
     }
+
+    #[test]
+    fn a_vertex_far_outside_of_its_triangle_in_its_plane_is_not_split_for_ever() {
+        // Triangles without area arise on the fold: their normals are noise.
+        for (i, j) in (0..40).flat_map(|i| (0..7).map(move |j| (i, j))) {
+            let out = [1.0 + 0.05 * f64::from(i), 0.1 + 0.02 * f64::from(j)];
+            let x = [[0.0, 0.0], [1.0, 0.0], [0.1, 0.4], out].map(|[x, y]| Vector3::new(x, y, 0.0));
+            let mut patch = Patch::new(x.to_vec(), vec![[0, 1, 3], [1, 2, 3], [2, 0, 3]], 3);
+            patch.size.fill(0.3);
+            let fineness = Fineness {
+                factor: 1.0,
+                growth: 0.0,
+                most: 10_000,
+            };
+            Refiner::new(&mut patch, fineness, &[]).run();
+            patch.validate().unwrap();
+            assert_below!(patch.inner_vertices(), 300);
+        }
+    }
 }

@@ -39,20 +39,11 @@ pub fn remesh(
         Some(mesh) => mesh,
         None => remesh_region(positions, triangles, input.selected.selection(), &options)?,
     };
-    Ok(in_numbers_of(mesh, input))
+    Ok(in_new_numbers(input, mesh))
 }
 
-/// The same by a filled hole alone; none where that has no fair patch.
-pub fn refilled(
-    input: &FairInput<'_>,
-    coincident: Coincident,
-    threads: usize,
-) -> Result<Option<FairInput<'static>>, fairmesh::Error> {
-    Ok(refill(input, coincident, threads)?.map(|mesh| in_numbers_of(mesh, input)))
-}
-
-/// What is faired of a mesh with other triangles in the region of the input.
-fn in_numbers_of(mesh: Remeshed, input: &FairInput<'_>) -> FairInput<'static> {
+/// The input on a mesh with other triangles in the region.
+fn in_new_numbers(input: &FairInput<'_>, mesh: Remeshed) -> FairInput<'static> {
     let moved = |v: u32| mesh.kept_vertices.binary_search(&v).ok().map(|new| new as u32);
     let boundary_normals = match &input.boundary_normals {
         BoundaryNormals::Given(list) => {
@@ -86,7 +77,7 @@ fn in_numbers_of(mesh: Remeshed, input: &FairInput<'_>) -> FairInput<'static> {
 }
 
 /// Whether the shape of the region has led to no surface that its triangles could be laid out on.
-pub fn needs_hole(rough: &Solution) -> bool {
+fn needs_hole(rough: &Solution) -> bool {
     let is_poor = matches!(rough.report.outcome, Outcome::ConvergedPoorTriangles { .. });
     rough.report.least_bending || is_poor
 }
