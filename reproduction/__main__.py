@@ -7,7 +7,7 @@ import os
 from pathlib import Path
 
 from . import measurements, paper
-from .tool import Scan, Tool
+from .tool import Scan, Tool, renew
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -43,23 +43,20 @@ def main() -> None:
     pictures = "g2" if asked.what == "continuity" else "reproduction"
     tool = Tool(asked.program, ROOT / "target/reproduction", ROOT / "docs" / pictures)
     if asked.what == "measurements":
-        file, text = "docs/measurements.md", measurements.document(tool, machine())
+        file, parts = "docs/measurements.md", measurements.document(tool, machine())
     elif asked.what == "ladder":
         # Needs the Python package.
         from . import ladder
 
-        file, text = "docs/ladder.md", ladder.document(asked.meshes)
+        file, parts = "docs/ladder.md", ladder.document(asked.meshes)
     elif asked.what == "continuity":
         # So does this.
         from . import continuity
 
-        file, text = "docs/g2.md", continuity.document(tool, scans, machine())
+        file, parts = "docs/g2.md", continuity.document(tool, scans, machine())
     else:
-        file, text = (
-            "REPRODUCTION.md",
-            paper.document(tool, scans, machine(), asked.runs),
-        )
-    (ROOT / file).write_text(text, encoding="utf-8")
+        file, parts = "REPRODUCTION.md", paper.document(tool, scans, machine(), asked.runs)
+    renew(ROOT / file, parts)
 
 
 main()

@@ -13,7 +13,7 @@ from . import peers
 from .boundary import Boundary
 from .measure import diagonal, short, spread, table
 from .surfaces import distance
-from .tool import Case, Points, Run, Scan, Tool, template, write_ply
+from .tool import Case, Points, Run, Scan, Tool, write_ply
 
 #: How exact surfaces are triangulated, with rings of triangles around the regions.
 IRREGULAR = ("--triangulation", "irregular", "--seed", 7, "--outside", 10)
@@ -35,8 +35,8 @@ class Subject:
     kind: str = ""
 
 
-def document(tool: Tool, scans: list[Scan], machine: str) -> str:
-    """All of it."""
+def document(tool: Tool, scans: list[Scan], machine: str) -> dict[str, object]:
+    """The measured parts of the page."""
     cap = "Semi-axes 1, 0.8, 0.6; the image of the cap of 50 degrees of a sphere is free."
     patch = "Radii 1 and 0.4, on the outer side; both angles below one radian are free."
     subjects = [
@@ -46,12 +46,12 @@ def document(tool: Tool, scans: list[Scan], machine: str) -> str:
         *(of_scan(tool, scan, number) for number, scan in enumerate(scans)),
     ]
     overview(tool, subjects[0])
-    return template("g2.md").format(
-        machine=machine,
-        subjects="\n\n".join(section(tool, subject) for subject in subjects),
-        sizes=sizes(tool),
-        noise=noise(tool, subjects[0].case),
-    )
+    return {
+        "machine": machine,
+        "subjects": "\n\n".join(section(tool, subject) for subject in subjects),
+        "sizes": sizes(tool),
+        "noise": noise(tool, subjects[0].case),
+    }
 
 
 def exact_case(tool: Tool, kind: str, count: int) -> Case:

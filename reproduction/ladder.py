@@ -16,7 +16,7 @@ from scipy.sparse.csgraph import dijkstra
 import fairmesh
 
 from .measure import table
-from .tool import Points, Triangles, template
+from .tool import Points, Triangles
 
 #: Regions of each mesh, and how many of all are holes, too: every so many.
 REGIONS, EVERY = 40, 3
@@ -224,8 +224,8 @@ def attempts(regions_runs: list[Run], holes_runs: list[Run]) -> str:
     return table("attempt | regions | holes | iterations of all", cells)
 
 
-def document(folder: Path) -> str:
-    """All of it."""
+def document(folder: Path) -> dict[str, object]:
+    """The measured parts of the page."""
     random = np.random.default_rng(1)
     runs: list[tuple[float, Run]] = []
     holes: list[Run] = []
@@ -246,10 +246,10 @@ def document(folder: Path) -> str:
         of = [run for rim, run in runs if low <= rim < high]
         good = sum(run.is_success for run in of)
         rows.append([f"{low} to {high}", len(of), f"{good} ({good / max(len(of), 1):.1%})"])
-    return template("ladder.md").format(
-        regions=len(runs),
-        holes=len(holes),
-        meshes=len(used),
-        attempts=attempts([run for _, run in runs], holes),
-        rims=table("rim | regions | converged", rows),
-    )
+    return {
+        "regions": len(runs),
+        "holes": len(holes),
+        "meshes": len(used),
+        "attempts": attempts([run for _, run in runs], holes),
+        "rims": table("rim | regions | converged", rows),
+    }

@@ -8,14 +8,14 @@ import numpy as np
 
 from .measure import scientific, table
 from .surfaces import distance
-from .tool import Case, Points, Tool, template
+from .tool import Case, Points, Tool
 
 
-def document(tool: Tool, machine: str) -> str:
-    """All of it."""
+def document(tool: Tool, machine: str) -> dict[str, object]:
+    """The measured parts of the page."""
     sections = (accuracy, times, holes, one_hole, tilted_normals)
-    tables = {section.__name__: section(tool) for section in sections}
-    return template("measurements.md").format(machine=machine, **tables)
+    tables: dict[str, object] = {section.__name__: section(tool) for section in sections}
+    return {"machine": machine} | tables
 
 
 def irregular(tool: Tool, name: str, kind: str, count: int, seed: int, *words: object) -> Case:

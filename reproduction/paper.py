@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from . import claims, figures
 from .measure import short, table, to_mesh
-from .tool import Case, Run, Scan, Tool, template
+from .tool import Case, Run, Scan, Tool
 
 #: Name in the paper, its vertices, base vertices and seconds; how many times faster the solver has to be, and on what.
 ROWS = (
@@ -18,8 +18,8 @@ ROWS = (
 )
 
 
-def document(tool: Tool, scans: list[Scan], machine: str, runs: int) -> str:
-    """All of it."""
+def document(tool: Tool, scans: list[Scan], machine: str, runs: int) -> dict[str, object]:
+    """The measured parts of the page."""
     sections: dict[str, Callable[[], dict[str, object]]] = {
         "table": lambda: times(tool, runs),
         "figures": lambda: figures.sections(tool),
@@ -30,7 +30,7 @@ def document(tool: Tool, scans: list[Scan], machine: str, runs: int) -> str:
     for name, section in sections.items():
         parts |= section()
         print(f"{name}: done", file=sys.stderr)
-    return template("paper.md").format(**parts)
+    return parts
 
 
 def times(tool: Tool, runs: int) -> dict[str, object]:

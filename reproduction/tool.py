@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import resource
 import subprocess
 from dataclasses import dataclass
@@ -14,6 +15,8 @@ from numpy.typing import NDArray
 
 Points = NDArray[np.float64]
 Triangles = NDArray[np.int32]
+#: `<!--[name]-->text<!--[/name]-->`
+PART = re.compile(r"<!--\[(\w+)\]-->(.*?)<!--\[/\1\]-->", re.DOTALL)
 _FACE = np.dtype([("count", "u1"), ("corners", "<i4", 3)])
 
 
@@ -81,9 +84,18 @@ class Run:
         return ", ".join(f"{loop['reached']:.2f}" for loop in loops)
 
 
-def template(name: str) -> str:
-    """The words of a document, with names in braces where figures go."""
-    return (Path(__file__).parent / name).read_text(encoding="utf-8")
+def renew(page: Path, parts: dict[str, object]) -> None:
+    """Replaces the parts of a page, each between `<!--[name]-->` and `<!--[/name]-->`."""
+    text = page.read_text(encoding="utf-8")
+    places = {match[1]: match for match in PART.finditer(text)}
+    if places.keys() != parts.keys():
+        raise ValueError(f"{page}: parts {sorted(places)}, measured {sorted(parts)}")
+
+    def measured(match: re.Match[str]) -> str:
+        space = match[2][: len(match[2]) - len(match[2].lstrip())]
+        return f"<!--[{match[1]}]-->{space}{parts[match[1]]}{space}<!--[/{match[1]}]-->"
+
+    page.write_text(PART.sub(measured, text), encoding="utf-8")
 
 
 class Tool:

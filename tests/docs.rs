@@ -207,6 +207,10 @@ fn figures_in_sentences_are_measured() {
         let mut fresh = text.clone();
         for (at, _) in text.match_indices("<!--") {
             let (key, _) = text[at + 4..].split_once("-->").unwrap();
+            if key.starts_with('[') {
+                // A part that ./reproduce.sh renews.
+                continue;
+            }
             let found = figures
                 .get(key)
                 .unwrap_or_else(|| panic!("{}: no figure {key}", path.display()));
@@ -242,24 +246,6 @@ fn table(heading: &str) -> Vec<Vec<String>> {
             .collect()
     };
     rows.map(cells).collect()
-}
-
-/// Who shortens a sentence of a measured page shortens it in the script's template, too.
-#[test]
-fn measured_pages_have_the_words_of_their_templates() {
-    for (template, page) in [
-        ("paper.md", "REPRODUCTION.md"),
-        ("measurements.md", "docs/measurements.md"),
-        ("g2.md", "docs/g2.md"),
-        ("ladder.md", "docs/ladder.md"),
-    ] {
-        let [words, page] = [format!("reproduction/{template}"), page.to_owned()]
-            .map(|path| fs::read_to_string(root().join(path)).unwrap());
-        let lines: BTreeSet<&str> = page.lines().collect();
-        for line in words.lines().filter(|line| !line.contains('{')) {
-            assert!(lines.contains(line), "{template}: {line}");
-        }
-    }
 }
 
 /// Of a cell "1.0 to 2.0", or "1.0".
