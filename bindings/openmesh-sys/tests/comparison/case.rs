@@ -26,8 +26,6 @@ pub struct Case {
 
 /// What came out.
 pub struct Measured {
-    /// Iterations of either kind.
-    pub iterations: usize,
     /// Wall seconds on one thread, from arrays to arrays.
     pub seconds: f64,
     /// Largest distance of a free vertex to the exact surface, over the diagonal of the free part.
@@ -94,13 +92,7 @@ impl Case {
         }))
     }
 
-    fn measure(
-        &self,
-        iterations: usize,
-        clock: Instant,
-        converged: bool,
-        positions: &[[f64; 3]],
-    ) -> Measured {
+    fn measure(&self, clock: Instant, converged: bool, positions: &[[f64; 3]]) -> Measured {
         let seconds = clock.elapsed().as_secs_f64();
         let surface = self.shape.surface.as_ref().expect("a surface that is known");
         let (diagonal, free) = (self.diagonal(), self.shape.free_vertices());
@@ -108,7 +100,6 @@ impl Case {
         // A NaN is infinitely far.
         let larger = |worst: f64, d: f64| if d.is_nan() { f64::INFINITY } else { worst.max(d) };
         Measured {
-            iterations,
             seconds,
             max: free.iter().map(distance).fold(0.0, larger),
             rms: rms(free.iter().map(distance)),
@@ -128,7 +119,7 @@ impl Case {
         let mut mesh =
             Smoother::new(&self.start, &self.shape.triangles, &self.shape.free).expect("a manifold");
         mesh.smooth(iterations);
-        self.measure(iterations as usize, clock, false, &mesh.positions())
+        self.measure(clock, false, &mesh.positions())
     }
 
     /// Where the smoother would end if it ran for ever.
@@ -148,6 +139,6 @@ impl Case {
         let free = Selection::Mask(&self.shape.free);
         let solution = fair(&self.start, &self.shape.triangles, free, &options).expect("a sound problem");
         let converged = solution.report.outcome == Outcome::Converged;
-        self.measure(solution.report.iterations, clock, converged, &solution.positions)
+        self.measure(clock, converged, &solution.positions)
     }
 }
