@@ -110,7 +110,7 @@ impl Case {
 
     /// The exact mesh itself: its triangles turn from the exact normals too.
     pub fn exact(&self) -> Measured {
-        self.measure(0, Instant::now(), true, &self.shape.positions)
+        self.measure(Instant::now(), true, &self.shape.positions)
     }
 
     /// OpenMesh's C1 smoother, after so many iterations from the start.
@@ -126,7 +126,7 @@ impl Case {
     pub fn limit(&self) -> Measured {
         let clock = Instant::now();
         let positions = stationary(&self.start, &self.shape.triangles, &self.shape.free);
-        self.measure(0, clock, true, &positions)
+        self.measure(clock, true, &positions)
     }
 
     /// fairmesh with its defaults on one thread. It sees what the smoother sees: no normals are given.
