@@ -12,16 +12,14 @@ use nalgebra::Vector3;
 use super::domain::Domain;
 use crate::mesh::halfedge::NONE;
 
-/// Weight mu of the distortion. Of 244 regions that the direct way does not solve, half: 1 more succeeds; double: 3 more; four times: 3 more, but
-/// of 70 bands of stretched triangles 5 fewer.
-const DISTORTION: f64 = 8e-3;
-
 /// The energy of a region between boundary data.
 pub(crate) struct Bending<'a> {
     domain: &'a Domain,
     boundary_normals: &'a [Vector3<f64>],
     /// Of each triangle, opposite to each edge, the cotangent of the angle that it should have.
     cotangents: Vec<[f64; 3]>,
+    /// The weight mu.
+    distortion: f64,
 }
 
 /// A triangle: the vector across it and its length.
@@ -32,8 +30,8 @@ struct Across {
 }
 
 impl<'a> Bending<'a> {
-    /// The energy between these boundary normals.
-    pub(crate) fn new(domain: &'a Domain, boundary_normals: &'a [Vector3<f64>]) -> Self {
+    /// The energy between these boundary normals, with this weight of the distortion.
+    pub(crate) fn new(domain: &'a Domain, boundary_normals: &'a [Vector3<f64>], distortion: f64) -> Self {
         let equilateral = [1.0 / 3f64.sqrt(); 3];
         let cotangents = match &domain.lengths {
             None => vec![equilateral; domain.region.triangles().len()],
@@ -43,6 +41,7 @@ impl<'a> Bending<'a> {
             domain,
             boundary_normals,
             cotangents,
+            distortion,
         }
     }
 
@@ -121,14 +120,15 @@ impl<'a> Bending<'a> {
             gradient[r] += stretch;
         }
         let distortion = squares / (2.0 * own.length);
-        energy += DISTORTION * (distortion - 1.0);
-        of_area -= DISTORTION * distortion / own.length;
+        energy += self.distortion * (distortion - 1.0);
+        of_area -= self.distortion * distortion / own.length;
         for k in 0..3 {
             let (l, r) = ((k + 1) % 3, (k + 2) % 3);
             let opposite = corners[r] - corners[l];
             gradient[k] += own.unit.cross(&opposite) * of_area;
             // The edges from this corner, each opposite to the third one.
-            let to = |other: usize, c: f64| (corners[k] - corners[other]) * (DISTORTION * c / own.length);
+            let to =
+                |other: usize, c: f64| (corners[k] - corners[other]) * (self.distortion * c / own.length);
             gradient[k] += to(l, cotangents[k]) + to(r, cotangents[r]);
         }
         (energy, gradient)
@@ -219,7 +219,7 @@ mod tests {
     fn the_gradient_is_that_of_the_energy() {
         let domain = cap();
         let normals = domain.surface()[domain.region.free..].to_vec();
-        let bending = Bending::new(&domain, &normals);
+        let bending = Bending::new(&domain, &normals, 8e-3);
         let mut x = domain.surface().to_vec();
         for (k, x) in x[..domain.region.free].iter_mut().enumerate() {
             let k = k as f64;

@@ -7,9 +7,10 @@ use super::bending::Bending;
 use super::candidate::Candidate;
 use super::control::Control;
 use super::formulation::Formulation;
-use super::iterate_options::IterateOptions;
+use super::iterate_options::{IterateOptions, IterationStatus};
 use super::system::System;
 use super::weight_repair::{Anew, WeightRepair};
+use crate::discrete::inner_fairness::FairnessWeights;
 use crate::solve::transition::Transition;
 
 /// As asked, edges bend by no more than so many times as much, in squares: where triangles are stretched, uniform weights fold them. Of 70 such
@@ -21,6 +22,8 @@ const BENDS_MORE: f64 = 1.5;
 pub(crate) struct Regain {
     repair: WeightRepair,
     options: IterateOptions,
+    /// Where it began, until it has begun further down.
+    start: Option<Vec<Vector3<f64>>>,
     found: Option<Candidate>,
 }
 
@@ -33,10 +36,12 @@ impl Regain {
         system: &mut System,
         control: &mut Control<'_>,
     ) -> (Self, Transition) {
+        let start = system.domain.is_stretched().then(|| x.clone());
         let (repair, next) = WeightRepair::begin(formulation, x, options, Anew::FromSurface, system, control);
         let regain = Self {
             repair,
             options,
+            start,
             found: None,
         };
         (regain, next)
@@ -51,7 +56,7 @@ impl Regain {
     ) -> Transition {
         match (self.repair.next(last, system, control), self.found.take()) {
             (Transition::Done(last), Some(found)) => {
-                let bending = Bending::new(&system.domain, system.boundary_normals());
+                let bending = Bending::new(&system.domain, system.boundary_normals(), 0.0);
                 let is_regained =
                     last.is_sound() && bending.bends(&last.x) <= BENDS_MORE * bending.bends(&found.x);
                 Transition::Done(if is_regained { last } else { found })
@@ -66,10 +71,28 @@ impl Regain {
                 self.repair = repair;
                 next
             }
+            (Transition::Done(failed), None) if failed.status == IterationStatus::Stalled => self
+                .begin_further_down(system, control)
+                .unwrap_or(Transition::Done(failed)),
             (next, found) => {
                 self.found = found;
                 next
             }
         }
+    }
+
+    /// Once more where triangles are stretched, from a surface of less bending energy.
+    fn begin_further_down(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<Transition> {
+        let asked = system.asked().clone();
+        let x = system.descend_further(self.start.take()?, &asked, control).ok()?;
+        let weights = FairnessWeights::mean_value(&system.domain.batches, &x);
+        let formulation = Formulation {
+            of_surface: true,
+            ..asked.weighted(weights.into())
+        };
+        let (repair, next) =
+            WeightRepair::begin(formulation, x, self.options, Anew::FromSurface, system, control);
+        self.repair = repair;
+        Some(next)
     }
 }

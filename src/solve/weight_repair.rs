@@ -25,11 +25,6 @@ const THRESHOLDS: [f64; 3] = [3.0, 4.0, 5.0];
 /// Half or double, of 33 cases: none changes.
 const SURE: f64 = 0.5 * NEEDLE;
 
-/// Triangles of a larger distortion are stretched, to twice their width: where most are, they have their shapes on purpose, and uniform weights
-/// fold some. Of 265 bands of stretched triangles 18 fail without, 10 with; of 2,031 regions of 94 public meshes 4 more succeed. Half, 0: one of
-/// the regions fewer succeeds; double: of 177 of the bands one fewer, and of the regions one.
-const STRETCHED: f64 = 0.25;
-
 /// An iteration that begins anew with other weights where triangles end folded or thin.
 #[derive(Debug)]
 pub(crate) struct WeightRepair {
@@ -152,21 +147,6 @@ pub(crate) enum Anew {
     FromSurface,
 }
 
-/// Whether most triangles of the input are [`STRETCHED`].
-fn is_stretched(system: &System) -> bool {
-    let x = system.domain.surface();
-    let triangles = system.region().triangles();
-    let corners = |t: &[u32; 3]| t.map(|v| x[v as usize]);
-    let stretched = triangles.iter().filter(|t| distortion(&corners(t)) > STRETCHED);
-    2 * stretched.count() > triangles.len()
-}
-
-/// The conformal distortion of an equilateral triangle into this one: the mean of what it is stretched by and of its inverse, less 1.
-fn distortion([a, b, c]: &[Vector3<f64>; 3]) -> f64 {
-    let squares = (b - a).norm_squared() + (c - b).norm_squared() + (a - c).norm_squared();
-    squares / (2.0 * 3f64.sqrt() * (b - a).cross(&(c - a)).norm()) - 1.0
-}
-
 /// Vertices marked so far.
 #[derive(Debug)]
 struct Marks {
@@ -220,7 +200,7 @@ impl Marks {
     ) -> Option<(Vec<Vector3<f64>>, Formulation)> {
         // Repairs that have begun at the start go on.
         let is_due = self.surface.is_none() && self.round == 0 && self.asked.slots.is_none();
-        if !is_due || !is_stretched(system) {
+        if !is_due || !system.domain.is_stretched() {
             return None;
         }
         let domain = &system.domain;
