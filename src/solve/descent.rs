@@ -13,8 +13,8 @@ use super::formulation::Formulation;
 use super::limited_step::{advance, limited_part};
 use super::system::System;
 
-/// A descent.
-struct Stage {
+/// How far it descends.
+struct DescentOptions {
     /// The weight of the distortion.
     distortion: f64,
     /// Steps at most.
@@ -26,7 +26,7 @@ struct Stage {
 /// Of 244 regions that the direct way does not solve: with half the distortion 1 more succeeds, with double 3 more, with four times 3 more, but of 70
 /// bands of stretched triangles 5 fewer; with half or double the steps 1 fewer; with a third of the gain 3 fewer (+40 % time), with three times 2
 /// fewer (-25 % time).
-const FIRST: Stage = Stage {
+const FIRST: DescentOptions = DescentOptions {
     distortion: 8e-3,
     steps: 150,
     gain: 1e-2,
@@ -34,7 +34,7 @@ const FIRST: Stage = Stage {
 /// On stretched triangles the shapes that connectivity asks for do not fit the boundary, and the surface is narrow for their sake; with a tenth of the
 /// weight it widens, slowly. Of 10 bands of 265 that the first alone leads nowhere on 7 succeed, with half or double the weight or double the steps too, with
 /// half the steps 6; with half the gain 7, with double 5.
-const SECOND: Stage = Stage {
+const SECOND: DescentOptions = DescentOptions {
     distortion: 0.1 * FIRST.distortion,
     steps: 600,
     gain: 1e-3,
@@ -96,20 +96,20 @@ impl System {
 
     fn descend_by(
         &mut self,
-        stage: &Stage,
+        options: &DescentOptions,
         x: Vec<Vector3<f64>>,
         control: &mut Control<'_>,
     ) -> Vec<Vector3<f64>> {
         let (domain, normals) = (self.domain.clone(), self.boundary_normals().to_vec());
-        let bending = Bending::new(&domain, &normals, stage.distortion);
+        let bending = Bending::new(&domain, &normals, options.distortion);
         let mut descent = Descent::new(bending, x, self.free());
         let mut energies = vec![descent.energy];
-        for step in 1..=stage.steps {
+        for step in 1..=options.steps {
             if !control.checkpoint(PHASE) || !descent.advance(self) {
                 break;
             }
             energies.push(descent.energy);
-            if step >= MEMORY && energies[step - MEMORY] - descent.energy < stage.gain * descent.energy {
+            if step >= MEMORY && energies[step - MEMORY] - descent.energy < options.gain * descent.energy {
                 break;
             }
         }
