@@ -22,9 +22,6 @@ const INSIDE: f64 = 0.5;
 /// A loop fits only with the mesh there turned around if that leaves no more than this part of the energy; of two such loops each.
 /// Of 10 cases, half: 1 changes, +3 % iterations; double: 1 changes.
 const OPPOSED: f64 = 0.7;
-/// Loops whose planes the way between them crosses at less than this cosine may lie side by side or in each other: 60 degrees.
-/// Half, or .9: none of 13 tests of joins changes; with more than 1 spheres that face each other are refused.
-const ALONG: f64 = 0.5;
 /// With less energy all of them fit: half a sphere has four times as much.
 /// Half or double, of 11 cases: none changes.
 const FITS: f64 = 6.0;
@@ -149,16 +146,8 @@ pub(super) fn opposed(set: &LoopSet) -> Option<[usize; 2]> {
         ends.contains(&turned).then_some(ends)
     };
     let [a, b] = connections(set).iter().find_map(beside)?;
-    (!are_ends_of_a_tube(set, a, b)).then_some([a.min(b), a.max(b)])
-}
-
-/// Whether two loops turn opposite ways, seen from one to the other, as the ends of a tube do. Then they fit however far they are from
-/// each other, where the energy of a thin triangulation tells nothing.
-fn are_ends_of_a_tube(set: &LoopSet, a: usize, b: usize) -> bool {
-    let [a, b] = [a, b].map(|of| set.plane(of));
-    let way = (b.centre - a.centre).normalize();
-    let (from_a, from_b) = (a.normal.dot(&way), -b.normal.dot(&way));
-    from_a * from_b > 0.0 && from_a.abs().min(from_b.abs()) > ALONG
+    // The ends of a tube fit however far they are from each other, where the energy of a thin triangulation tells nothing.
+    set.tube_axes([a, b]).is_none().then_some([a.min(b), a.max(b)])
 }
 
 /// A triangulation that is closed along the connections.

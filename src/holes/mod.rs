@@ -50,6 +50,7 @@ mod tree_triangle;
 mod triangle_owner;
 mod triangulate;
 mod trim;
+mod tube_ends;
 mod turning;
 
 pub use bridge::{BridgeOptions, bridge, bridge_with_progress};

@@ -11,11 +11,6 @@ use nalgebra::{Matrix3, Vector3};
 use super::loop_set::LoopSet;
 use super::patch::Patch;
 
-/// Where a loop's mesh goes on to the same side all around, by more than this part of what it is long, that side is the tube's; else the
-/// other loop tells it, if the way there is at less than this cosine to the loop's axis: 60 degrees. No axis points away from the other end
-/// by more.
-/// Half, of 62 pipes: none changes; double: no loop is the end of one.
-const ALONG: f64 = 0.5;
 /// Fewer rows than this are none: what is as narrow as that has no inside that a triangulation of the loops could miss.
 /// Half, of 62 pipes: none changes; double: 2 get another triangulation.
 const LEAST_ROWS: usize = 2;
@@ -78,23 +73,9 @@ fn is_linked(set: &LoopSet) -> bool {
     set.taken.iter().any(|&(a, b)| a < second && b >= second)
 }
 
-/// Both loops, if they are ends of a tube: axes towards each other, and the mesh facing the same side of the tube.
+/// Both loops, if they are ends of a tube.
 fn ends(set: &LoopSet, sizes: &[f64]) -> Option<[End; 2]> {
-    let onward = set.onward();
-    let planes = [0, 1].map(|of| set.plane(of));
-    let way = (planes[1].centre - planes[0].centre).try_normalize(0.0)?;
-    let axis = |of: usize| {
-        let (normal, way) = (planes[of].normal, if of == 0 { way } else { -way });
-        let mean = onward[set.range(of)].iter().sum::<Vector3<f64>>() / set.range(of).len() as f64;
-        let along = [mean.dot(&normal), way.dot(&normal)];
-        let side = along.into_iter().find(|along| along.abs() > ALONG)?;
-        let axis = normal * side.signum();
-        (axis.dot(&way) > -ALONG).then_some((axis, side > 0.0))
-    };
-    let (first, second) = (axis(0)?, axis(1)?);
-    if first.1 != second.1 {
-        return None;
-    }
+    let [first, second] = set.tube_axes([0, 1])?;
     let end = |of: usize, axis| {
         let (ring, girth) = Ring::of_loop(set, of);
         let count = ring.vertices.len() as f64;
@@ -103,7 +84,7 @@ fn ends(set: &LoopSet, sizes: &[f64]) -> Option<[End; 2]> {
             .map(|size| size.min(girth / count))
             .collect();
         End {
-            centre: planes[of].centre,
+            centre: set.plane(of).centre,
             axis,
             size: sizes.iter().sum::<f64>() / count,
             sizes,
@@ -111,7 +92,7 @@ fn ends(set: &LoopSet, sizes: &[f64]) -> Option<[End; 2]> {
             girth,
         }
     };
-    Some([end(0, first.0), end(1, second.0)])
+    Some([end(0, first), end(1, second)])
 }
 
 impl Ring {
