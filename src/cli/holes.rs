@@ -1,7 +1,9 @@
 //! `fairmesh holes`: the boundary loops of a file.
 
+mod picture;
+
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use fairmesh::{
@@ -13,14 +15,22 @@ use serde_json::{Value, json};
 use crate::answer::Answer;
 use crate::explain;
 use crate::failure::Failure;
+use crate::figures::significant;
 use crate::formats::pipe_args::PipeArgs;
 use crate::formats::{Geometry, MeshFile};
 use crate::join;
 use crate::orientation::{self, oriented};
+use crate::output::Output;
+use crate::places::{LoopPlace, places};
+use crate::render;
 use crate::rim;
 use crate::seams;
 use crate::surface::MeshArgs;
 
+/// Digits of a coordinate below the first one of the radius.
+const DIGITS: f64 = 3.0;
+/// The heading of the balls around loops.
+const WHERE: &str = "x,y,z,radius";
 /// A component of no more faces is debris, or a piece of a soup.
 const DEBRIS: usize = 3;
 
@@ -32,6 +42,12 @@ pub struct HolesArgs {
     /// List the loops that 'fairmesh fill --join auto' would connect, and why
     #[arg(long)]
     suggest: bool,
+    /// Picture (.png) of the mesh from two sides, or by --view from one, with the numbers of the loops
+    #[arg(long, value_name = "FILE")]
+    picture: Option<PathBuf>,
+    /// View of the picture, as in 'fairmesh render'
+    #[arg(long, value_name = "VIEW", allow_hyphen_values = true, requires = "picture")]
+    view: Option<String>,
     #[command(flatten)]
     mesh: MeshArgs,
     #[command(flatten)]
@@ -47,6 +63,8 @@ pub struct HolesArgs {
 /// Runs the command.
 pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
     let mesh = MeshFile::read(&args.input, args.pipe.of(&[&args.input])?)?;
+    let picture = args.picture.as_deref().map(Output::prepare).transpose()?;
+    let view = args.view.as_deref().map(render::direction).transpose()?;
     let answer = Answer::prepare(args.json.as_deref(), args.quiet, None, &[&args.input])?;
     let (mesh, turned) = oriented(&args.input, mesh, &args.mesh)?;
     let geometry = &mesh.geometry;
@@ -54,23 +72,8 @@ pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
         .map_err(|error| explain::refusal(&args.input, &mesh, &error))?;
     let rough = rim_roughness(&geometry.positions, &geometry.triangles, args.mesh.coincident)
         .map_err(|error| explain::refusal(&args.input, &mesh, &error))?;
-    let mut text = match loops.len() {
-        0 => "no boundary: the mesh is closed\n".to_owned(),
-        _ => "loop   edges      length        area  turn  rough  kind\n".to_owned(),
-    };
-    for (i, boundary) in loops.iter().enumerate() {
-        let _ = writeln!(
-            text,
-            "{i:>4} {:>7} {:>11.5e} {:>11.5e} {:>5.0} {:>6}  {}{}",
-            boundary.vertices.len(),
-            boundary.length,
-            boundary.area,
-            boundary.turn,
-            rough[i].map_or("-".to_owned(), |of| format!("{:.1}", of.ratio())),
-            kind(boundary),
-            touching(boundary)
-        );
-    }
+    let places = places(&geometry.positions, &loops);
+    let mut text = listed(&loops, &rough, &places);
     text += &match seams::advice(geometry, args.mesh.coincident) {
         Some(advice) => format!("{advice}\n"),
         None => soup(&loops),
@@ -80,6 +83,11 @@ pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
         if let Some(advice) = of.as_ref().and_then(rim::advice) {
             let _ = writeln!(text, "loop {i} {advice}");
         }
+    }
+    let mut written: Vec<&Path> = Vec::new();
+    if let (Some(output), Some(path)) = (picture, &args.picture) {
+        output.write(&picture::numbered(geometry, &loops, view)?)?;
+        written.push(path);
     }
     let suggested = match args.suggest {
         true => {
@@ -99,7 +107,14 @@ pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
         text += "no loops whose joint patch would bend less than separate ones\n";
     }
     let json = || {
-        let loops = Value::from(loops.iter().zip(&rough).map(described).collect::<Vec<Value>>());
+        let loops = Value::from(
+            loops
+                .iter()
+                .zip(&rough)
+                .zip(&places)
+                .map(described)
+                .collect::<Vec<Value>>(),
+        );
         match &suggested {
             None => loops,
             Some(list) => {
@@ -109,8 +124,49 @@ pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
             }
         }
     };
-    answer.tell(&[], json, || text)?;
+    answer.tell(&written, json, || text)?;
     Ok(true)
+}
+
+/// A line for each loop, and what the columns mean.
+fn listed(loops: &[BoundaryLoop], rough: &[Option<Roughness>], places: &[LoopPlace]) -> String {
+    if loops.is_empty() {
+        return "no boundary: the mesh is closed\n".to_owned();
+    }
+    let balls: Vec<String> = places.iter().map(told).collect();
+    let wide = balls.iter().map(String::len).max().unwrap_or(0).max(WHERE.len());
+    let mut text = format!("loop   edges      length        area  turn  rough  {WHERE:<wide$}  kind\n");
+    for (i, boundary) in loops.iter().enumerate() {
+        let nearest = places[i]
+            .nearest
+            .map_or(String::new(), |(of, distance)| match distance {
+                0.0 => format!("; loop {of} has a vertex at the same place"),
+                _ => format!("; loop {of} is {} away", significant(distance)),
+            });
+        let _ = writeln!(
+            text,
+            "{i:>4} {:>7} {:>11.5e} {:>11.5e} {:>5.0} {:>6}  {:<wide$}  {}{}{nearest}",
+            boundary.vertices.len(),
+            boundary.length,
+            boundary.area,
+            boundary.turn,
+            rough[i].map_or("-".to_owned(), |of| format!("{:.1}", of.ratio())),
+            balls[i],
+            kind(boundary),
+            touching(boundary)
+        );
+    }
+    text + "turn: degrees by which a smooth filling turns: 0 in a plane, 90 at a tube, 180 around a sheet; rough: 1 is a clean mesh\n"
+}
+
+/// The ball of a loop, as `--ball` takes it, to a thousandth of its radius.
+fn told(place: &LoopPlace) -> String {
+    let decimals = (DIGITS - place.radius.log10().floor()).clamp(0.0, 17.0) as usize;
+    let numbers = place.centre.iter().chain([&place.radius]);
+    // Zero has no sign.
+    let unit = 10f64.powi(decimals as i32);
+    let rounded = numbers.map(|x| format!("{:.decimals$}", (x * unit).round() / unit + 0.0));
+    rounded.collect::<Vec<String>>().join(",")
 }
 
 /// What is to be said where most loops are boundaries of single faces.
@@ -167,7 +223,7 @@ fn touching(boundary: &BoundaryLoop) -> String {
     }
 }
 
-fn described((boundary, rough): (&BoundaryLoop, &Option<Roughness>)) -> Value {
+fn described(((boundary, rough), place): ((&BoundaryLoop, &Option<Roughness>), &LoopPlace)) -> Value {
     let (name, edge) = match boundary.kind {
         LoopKind::Hole => ("hole", Value::Null),
         LoopKind::OuterBoundary => ("outer_boundary", Value::Null),
@@ -177,7 +233,8 @@ fn described((boundary, rough): (&BoundaryLoop, &Option<Roughness>)) -> Value {
     };
     json!({
         "kind": name, "non_manifold_edge": edge, "edges": boundary.vertices.len(), "length": boundary.length,
-        "area": boundary.area, "turn": boundary.turn, "touching": boundary.touching, "hangs_at": boundary.hangs_at, "component": boundary.component,
+        "area": boundary.area, "centre": place.centre, "radius": place.radius,
+        "nearest": place.nearest.map(|(of, distance)| json!({ "loop": of, "distance": distance })), "turn": boundary.turn, "touching": boundary.touching, "hangs_at": boundary.hangs_at, "component": boundary.component,
         "component_faces": boundary.component_triangles, "roughness": rough.as_ref().map(rim::roughness_json), "vertices": boundary.vertices,
     })
 }

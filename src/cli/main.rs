@@ -38,6 +38,7 @@ mod orientation;
 mod output;
 mod patches;
 mod picture;
+mod places;
 mod region;
 mod render;
 mod report;

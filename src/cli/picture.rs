@@ -3,6 +3,8 @@
 mod animation;
 mod camera;
 mod canvas;
+mod label;
+mod letters;
 mod paint;
 mod pixels;
 mod refined;
@@ -16,6 +18,7 @@ use crate::failure::Failure;
 pub use animation::Animation;
 use camera::Camera;
 use canvas::Canvas;
+pub use label::Label;
 pub use pixels::Pixels;
 pub use refined::Refined;
 pub use scale::{Palette, Scale};
@@ -29,6 +32,8 @@ pub struct Group<'a> {
     pub options: &'a PictureOptions,
     /// Points that a frame is drawn around, if they would be lost in the picture.
     pub framed: &'a [V3],
+    /// Words on every view.
+    pub labels: &'a [Label],
 }
 
 /// Paints the views in rows and encodes the picture.
@@ -37,6 +42,7 @@ pub fn render(views: &[View<'_>], options: &PictureOptions, layout: &Layout<'_>)
         views,
         options,
         framed: &[],
+        labels: &[],
     };
     sheet(&tiles(&group), layout)
 }
@@ -65,7 +71,11 @@ pub fn tiles(group: &Group<'_>) -> Vec<Pixels> {
     let camera = Camera::around(group.views, options);
     let frame = frame(&camera, group);
     let paint = |view: &View<'_>| {
-        let mut tile = Canvas::paint(view, &camera, options).shrunk(options.samples);
+        let canvas = Canvas::paint(view, &camera, options);
+        let mut tile = canvas.shrunk(options.samples);
+        for label in group.labels {
+            label.write(&mut tile, &canvas, &camera, options.samples);
+        }
         if let Some([low, high]) = frame {
             tile.frame(low, high, paint::MARK.map(canvas::srgb));
         }
@@ -209,6 +219,39 @@ mod tests {
         let outer = share(0.01, [true, true, false, false]);
         assert!((outer - 0.75).abs() < 0.02, "{outer}");
         assert_eq!(share(0.1, [false; 4]), 0.0);
+    }
+
+    #[test]
+    fn a_label_stands_where_its_points_are_and_nowhere_if_they_are_hidden() {
+        let white = |near: f64| {
+            let (positions, triangles) = squares(near);
+            let view = View {
+                positions: &positions,
+                triangles: &triangles,
+                shading: Shading::Flat,
+                focus: &[],
+            };
+            let label = Label {
+                text: "7".to_owned(),
+                points: positions[4..].to_vec(),
+            };
+            let group = Group {
+                views: &[view],
+                options: &from_above(),
+                framed: &[],
+                labels: &[label],
+            };
+            let pixels = tiles(&group)[0].bytes().as_chunks::<3>().0.to_vec();
+            let at = |&k: &usize| pixels[k] == [255; 3];
+            (0..pixels.len())
+                .filter(at)
+                .map(|k| [k % 50, k / 50])
+                .collect::<Vec<_>>()
+        };
+        let front = white(0.1);
+        assert_above!(front.len(), 50);
+        assert_all!(front, |[x, y]| (15..35).contains(&x) && (10..40).contains(&y));
+        assert!(white(-0.1).is_empty());
     }
 
     #[test]

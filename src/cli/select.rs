@@ -40,6 +40,9 @@ pub struct SelectArgs {
     /// faces]
     #[arg(long, value_name = "VIEW", allow_hyphen_values = true, verbatim_doc_comment)]
     view: Option<String>,
+    /// Up direction of the picture: x,y,z [default: 0,0,1]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    up: Option<String>,
     /// Also write the result as JSON; '-': to stdout, instead of the text
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -71,6 +74,7 @@ pub fn run(args: &SelectArgs) -> Result<bool, Failure> {
         &[&args.input],
     )?;
     let view = args.view.as_deref().map(render::direction).transpose()?;
+    let up = args.up.as_deref().map(render::upwards).transpose()?;
     let found = selection::find(&mesh, &args.input, &args.region, args.mesh.coincident)?;
     let marked = marked(geometry, found.selected.in_triangles(geometry));
     let triangles: Vec<u32> = (0..)
@@ -87,7 +91,7 @@ pub fn run(args: &SelectArgs) -> Result<bool, Failure> {
         written.push(path.as_path());
     }
     if let (Some(output), Some(path)) = (picture, &args.picture) {
-        output.write(&shown(geometry, &marked, view)?)?;
+        output.write(&shown(geometry, &marked, view, up)?)?;
         written.push(path.as_path());
     }
     let faces: Vec<usize> = (0..polygons.len()).filter(|&p| polygons[p]).collect();
@@ -164,9 +168,15 @@ fn list_or_mesh(
 }
 
 /// A picture of the whole mesh with the marked triangles in another colour.
-fn shown(geometry: &Geometry, marked: &[bool], view: Option<[f64; 3]>) -> Result<Vec<u8>, Failure> {
+fn shown(
+    geometry: &Geometry,
+    marked: &[bool],
+    view: Option<[f64; 3]>,
+    up: Option<[f64; 3]>,
+) -> Result<Vec<u8>, Failure> {
     let options = PictureOptions {
         direction: view.unwrap_or_else(|| above(geometry, marked)),
+        up: up.unwrap_or(PictureOptions::default().up),
         ..PictureOptions::default()
     };
     let view = View {

@@ -461,13 +461,6 @@ fn loops_that_do_not_exist_are_named_with_what_lists_them() {
     );
 }
 
-/// Width and height of a PNG, after its signature.
-fn size_of_png(path: &Path) -> [u32; 2] {
-    let png = fs::read(path).unwrap();
-    assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
-    [16, 20].map(|at| u32::from_be_bytes(png[at..at + 4].try_into().unwrap()))
-}
-
 #[test]
 fn what_is_generated_is_faired_and_shown() {
     let directory = directory("generate");

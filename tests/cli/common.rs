@@ -119,3 +119,10 @@ pub fn off_sphere(positions: &[[f64; 3]]) -> f64 {
     let distance = |p: &[f64; 3]| (p.iter().map(|c| c * c).sum::<f64>().sqrt() - 1.0).abs();
     positions.iter().map(distance).fold(0.0, f64::max)
 }
+
+/// Width and height of a PNG, after its signature.
+pub fn size_of_png(path: &Path) -> [u32; 2] {
+    let png = fs::read(path).unwrap();
+    assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
+    [16, 20].map(|at| u32::from_be_bytes(png[at..at + 4].try_into().unwrap()))
+}

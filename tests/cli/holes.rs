@@ -6,7 +6,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use crate::common::{
-    SIDE, directory, expect, fairmesh, is_selected, obj, off_sphere, quads, sheet, write_lists,
+    SIDE, directory, expect, fairmesh, is_selected, obj, off_sphere, quads, sheet, size_of_png, write_lists,
 };
 use serde_json::Value;
 
@@ -667,4 +667,50 @@ fn faces_that_hang_at_a_vertex_are_named() {
     assert_eq!(list[0]["hangs_at"], 0);
     let (out, _) = expect(&directory, &["fill", "in.off", "-o", "out.off"], 3);
     assert!(out.contains("vertex 0") && out.contains("remove them"), "{out}");
+}
+
+/// Two tubes along the z axis, of radius 1, from 0 to 1 and from 3 to 4.
+#[test]
+fn loops_have_places_and_their_numbers_stand_in_a_picture() {
+    let directory = directory("places");
+    let count = 24;
+    let ring = |z: f64| {
+        (0..count).map(move |k| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / f64::from(count)).sin_cos();
+            format!("v {cos} {sin} {z}\n")
+        })
+    };
+    let mut text: String = [0.0, 1.0, 3.0, 4.0].into_iter().flat_map(ring).collect();
+    for tube in [0, 2 * count] {
+        for k in 0..count {
+            let [a, b] = [k, (k + 1) % count].map(|k| tube + k + 1);
+            let _ = writeln!(text, "f {a} {b} {} {}", b + count, a + count);
+        }
+    }
+    fs::write(directory.join("tubes.obj"), text).unwrap();
+    let listed = ["holes", "tubes.obj", "--picture", "two.png", "--json", "l.json"];
+    let (out, _) = expect(&directory, &listed, 0);
+    for line in [
+        "   1      24   6.26526e0   3.10583e0    90      -  0.000,0.000,1.000,1.000  hole; loop 0 is 1.000 away",
+        "turn: degrees by which",
+    ] {
+        assert!(out.contains(line), "{out}");
+    }
+    let list: Value = serde_json::from_slice(&fs::read(directory.join("l.json")).unwrap()).unwrap();
+    assert_eq!(list[0]["nearest"]["loop"], 1);
+    assert!((list[3]["centre"][2].as_f64().unwrap() - 4.0).abs() < 1e-12);
+    assert!((list[3]["radius"].as_f64().unwrap() - 1.0).abs() < 1e-12);
+    assert_eq!(size_of_png(&directory.join("two.png")), [1440, 720]);
+    let one = [
+        "holes",
+        "tubes.obj",
+        "--picture",
+        "one.png",
+        "--view",
+        "top",
+        "-q",
+    ];
+    expect(&directory, &one, 0);
+    assert_eq!(size_of_png(&directory.join("one.png")), [720, 720]);
+    expect(&directory, &["holes", "tubes.obj", "--view", "top"], 2);
 }

@@ -50,6 +50,17 @@ fn a_place_is_said_and_shown() {
     let json: Value = serde_json::from_str(&fs::read_to_string(d.join("ball.json")).unwrap()).unwrap();
     assert_eq!(json["faces"].as_array().unwrap().len(), taken);
     assert_eq!(&fs::read(d.join("ball.png")).unwrap()[1..4], b"PNG");
+    // Another direction that points up is another picture.
+    let turned = ["--picture", "up.png", "--up", "0,1,0", "--view", "1,0,1", "-q"];
+    expect(&d, &[&ball[..], &turned].concat(), 0);
+    let upright = ["--picture", "upright.png", "--view", "1,0,1", "-q"];
+    expect(&d, &[&ball[..], &upright].concat(), 0);
+    assert_ne!(
+        fs::read(d.join("up.png")).unwrap(),
+        fs::read(d.join("upright.png")).unwrap()
+    );
+    let (_, told) = expect(&d, &[&ball[..], &["--up", "0,1"]].concat(), 2);
+    assert!(told.contains("--up 0,1: give x,y,z"), "{told}");
     // The same as a mesh of its own, in both formats.
     for name in ["part.obj", "part.stl"] {
         expect(&d, &[&ball[..], &["-o", name]].concat(), 0);

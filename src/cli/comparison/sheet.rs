@@ -98,11 +98,13 @@ impl Comparison<'_> {
                 views: &views,
                 options: &options,
                 framed: &[],
+                labels: &[],
             },
             Group {
                 views: &[view(&self.after, Shading::Marked(&self.new), &[])],
                 options: &all,
                 framed: &framed,
+                labels: &[],
             },
         ];
         let captions = [

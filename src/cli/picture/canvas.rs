@@ -12,6 +12,9 @@ use super::view::{PictureOptions, View};
 /// Linear light where there is no surface.
 pub const BACKDROP: [f32; 3] = [0.90, 0.91, 0.93];
 
+/// What is nearer to the eye by more than this part of the distance hides a point.
+const NEAR: f64 = 0.01;
+
 /// A tile with samples: colour (linear light) and depth.
 pub struct Canvas {
     size: [usize; 2],
@@ -39,6 +42,15 @@ impl Canvas {
             colour: vec![BACKDROP; samples],
             depth: vec![0.0; samples],
         }
+    }
+
+    /// Whether nothing is before a point of the surface, by more than rounding and the slope within a sample.
+    pub fn shows(&self, point: &Projected) -> bool {
+        let is_inside = [point.x, point.y]
+            .into_iter()
+            .zip(self.size)
+            .all(|(at, size)| (0.0..size as f64).contains(&at));
+        is_inside && self.depth[point.y as usize * self.size[0] + point.x as usize] <= point.w * (1.0 + NEAR)
     }
 
     /// The number of the triangle that each sample shows; `u32::MAX` where there is none.

@@ -2,16 +2,12 @@
 
 use std::ops::Range;
 
-use noto_sans_mono_bitmap::{FontWeight, RasterHeight, get_raster, get_raster_width};
-
 use super::canvas::srgb;
+use super::letters::{LETTER, LINE, write};
 use super::pixels::{Pixels, Rgb};
 use super::scale::Scale;
 
-const FONT: (FontWeight, RasterHeight) = (FontWeight::Regular, RasterHeight::Size16);
-/// Width of a letter, height of a line of text, and room for a caption, in pixels.
-const LETTER: u32 = get_raster_width(FONT.0, FONT.1) as u32;
-const LINE: u32 = FONT.1 as u32;
+/// Room for a caption, in pixels.
 const CAPTION: u32 = LINE + 8;
 /// Room for the scale: bar, gap, and numbers of nine letters.
 const SCALE: u32 = 30 + 9 * LETTER;
@@ -133,18 +129,5 @@ fn draw_scale(sheet: &mut Pixels, left: u32, within: Range<u32>, scale: &Scale) 
         let y = top + ((1.0 - share) * f64::from(length)).round() as u32;
         let number = scale.number(low + share * (high - low));
         write(sheet, [left + 20, y - LINE / 2], &shortened(&number, 9));
-    }
-}
-
-/// Writes letters in black on white.
-fn write(sheet: &mut Pixels, [left, top]: [u32; 2], text: &str) {
-    for (k, c) in (0..).zip(text.chars()) {
-        let glyph = get_raster(c, FONT.0, FONT.1).or_else(|| get_raster('?', FONT.0, FONT.1));
-        let Some(glyph) = glyph else { continue };
-        for (y, row) in (top..).zip(glyph.rows()) {
-            for (x, &ink) in (left + k * LETTER..).zip(row.iter()) {
-                sheet.set(x, y, [255 - ink; 3]);
-            }
-        }
     }
 }
