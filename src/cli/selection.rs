@@ -147,7 +147,7 @@ fn named(mesh: &MeshFile, property: &str) -> Result<Selected, String> {
 /// That there is none of this name, and which one may have been meant.
 fn no_property(mesh: &MeshFile, kinds: &[Kind], property: &str, bare: &str) -> String {
     let names = kinds.iter().flat_map(|&kind| mesh.property_names(kind));
-    let meant = similar(bare, names).map_or(String::new(), |meant| format!("; there is '{meant}'"));
+    let meant = similar(bare, names).map_or(String::new(), |meant| format!("; did you mean '{meant}'?"));
     format!(
         "there is no property '{property}' with one number per vertex or face (only PLY files have them){meant}"
     )

@@ -26,6 +26,8 @@ pub fn similar_file(missing: &Path) -> Option<PathBuf> {
     let mut names: Vec<String> = std::fs::read_dir(here)
         .ok()?
         .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        // A short name is like many.
+        .filter(|name| Path::new(name).extension().is_some() == missing.extension().is_some())
         .collect();
     // The order of a folder is not the same everywhere.
     names.sort_unstable();
@@ -42,5 +44,19 @@ mod tests {
         assert_eq!(similar("selectd", names.into_iter()), Some("selected"));
         assert_eq!(similar("QUALITY", names.into_iter()), Some("quality"));
         assert_eq!(similar("thickness", names.into_iter()), None);
+    }
+
+    #[test]
+    fn a_file_without_a_suffix_is_not_meant_by_one_that_has() {
+        let folder = std::env::temp_dir().join(format!("fairmesh-similar-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        for name in ["e", "hope.ply"] {
+            std::fs::write(folder.join(name), "").unwrap();
+        }
+        let missing = |name: &str| similar_file(&folder.join(name));
+        assert_eq!(missing("nope.ply"), Some(folder.join("hope.ply")));
+        std::fs::remove_file(folder.join("hope.ply")).unwrap();
+        assert_eq!(missing("nope.ply"), None);
+        std::fs::remove_dir_all(folder).unwrap();
     }
 }

@@ -155,7 +155,10 @@ fn where_nothing_is_taken_it_is_told_why() {
             &["--component-at", "900"],
             "vertex 900 does not exist; cap.obj has 225 vertices, counted from 0",
         ),
-        (&["--ball", "0,0,1"], "expected X,Y,Z,RADIUS"),
+        (
+            &["--ball", "0,0,1"],
+            "expected X,Y,Z,RADIUS, with commas and without blanks",
+        ),
         (
             &["--ball", "0,0,1,2", "--without", "--ball", "0,0,1,2"],
             "nothing is left selected",
@@ -172,6 +175,9 @@ fn where_nothing_is_taken_it_is_told_why() {
     }
     let (told, _) = expect(&d, &["select", "cap.obj", "--ball", "0,0,1,2"], 0);
     assert!(told.contains("this is the whole mesh"), "{told}");
+    // Blanks are as good as commas, if the shell leaves them in.
+    let (blanks, _) = expect(&d, &["select", "cap.obj", "--ball", "0 0 1 2"], 0);
+    assert_eq!(blanks.replace("0 0 1 2", "0,0,1,2"), told);
 }
 
 #[test]
@@ -198,7 +204,7 @@ fn errors_propose_what_there_is() {
     };
     refused(
         &["fair", "cup.obj", "-o", "out.obj", "--ball", "0,0,1,0.45"],
-        "cup.obj: cannot read: No such file or directory (os error 2); there is 'cap.obj'\n",
+        "cup.obj: cannot read: No such file or directory (os error 2); did you mean 'cap.obj'?\n",
     );
     refused(
         &[
@@ -223,8 +229,8 @@ fn errors_propose_what_there_is() {
     fs::write(d.join("one.ply"), ply).unwrap();
     refused(
         &["fair", "one.ply", "-o", "out.ply", "--selection", "choosen"],
-        "one.ply: there is no property 'choosen' with one number per vertex or face (only PLY files have them); there is \
-         'chosen'\n",
+        "one.ply: there is no property 'choosen' with one number per vertex or face (only PLY files have them); did you \
+         mean 'chosen'?\n",
     );
 }
 

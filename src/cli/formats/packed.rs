@@ -49,7 +49,9 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Failure> {
             io::ErrorKind::NotFound => similar_file(path),
             _ => None,
         };
-        let meant = meant.map_or(String::new(), |meant| format!("; there is '{}'", meant.display()));
+        let meant = meant.map_or(String::new(), |meant| {
+            format!("; did you mean '{}'?", meant.display())
+        });
         Failure::new(format!("{name}: cannot read: {why}{meant}"))
     })?;
     match (is_named_so(path), bytes.starts_with(MARK)) {

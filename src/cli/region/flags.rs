@@ -196,13 +196,22 @@ impl RegionSteps {
     }
 }
 
-/// Finite numbers, separated by commas.
+/// Finite numbers, separated by commas, or all by blanks.
 fn numbers(text: &str) -> Result<Vec<f64>, String> {
-    let number = |word: &str| word.trim().parse().ok().filter(|x: &f64| x.is_finite());
-    let numbers = text
-        .split(',')
-        .map(|word| number(word).ok_or_else(|| format!("'{}' is no number", word.trim())));
+    let words: Vec<&str> = match text.contains(',') {
+        true => text.split(',').map(str::trim).collect(),
+        false => text.split_whitespace().collect(),
+    };
+    let number = |word: &&str| word.parse().ok().filter(|x: &f64| x.is_finite());
+    let numbers = words
+        .iter()
+        .map(|word| number(word).ok_or_else(|| format!("'{word}' is no number")));
     numbers.collect()
+}
+
+/// The shell takes what follows a blank for another argument.
+fn expected<T>(form: &str) -> Result<T, String> {
+    Err(format!("expected {form}, with commas and without blanks"))
 }
 
 /// A vertex, or a point of the surface.
@@ -224,7 +233,7 @@ fn ball(text: &str) -> Result<Part, String> {
             radius,
         }))),
         [_, _, _, radius] => Err(format!("the radius {radius} is below 0")),
-        _ => Err("expected X,Y,Z,RADIUS".to_owned()),
+        _ => expected("X,Y,Z,RADIUS"),
     }
 }
 
@@ -235,7 +244,7 @@ fn cuboid(text: &str) -> Result<Part, String> {
             high: [d, e, f],
         }))),
         [_, _, _, _, _, _] => Err("the smallest coordinates come first".to_owned()),
-        _ => Err("expected X,Y,Z,X,Y,Z".to_owned()),
+        _ => expected("X,Y,Z,X,Y,Z"),
     }
 }
 
@@ -246,7 +255,7 @@ fn half_space(text: &str) -> Result<Part, String> {
             point: [a, b, c],
             normal: [x, y, z],
         })),
-        _ => Err("expected X,Y,Z,NX,NY,NZ".to_owned()),
+        _ => expected("X,Y,Z,NX,NY,NZ"),
     }
 }
 
@@ -260,7 +269,7 @@ fn geodesic(text: &str) -> Result<Part, String> {
             let seed = place(at)?;
             Ok(Part::Region(Region::Geodesic { seed, radius }))
         }
-        _ => Err("expected X,Y,Z,RADIUS or VERTEX,RADIUS".to_owned()),
+        _ => expected("X,Y,Z,RADIUS or VERTEX,RADIUS"),
     }
 }
 
@@ -273,7 +282,7 @@ fn patch(text: &str) -> Result<Part, String> {
     let (at, angle) = match numbers.len() {
         1 | 3 => (&numbers[..], SHARP),
         2 | 4 => (&numbers[..numbers.len() - 1], numbers[numbers.len() - 1]),
-        _ => return Err("expected X,Y,Z or VERTEX, and perhaps DEGREES".to_owned()),
+        _ => return expected("X,Y,Z or VERTEX, and perhaps DEGREES"),
     };
     if !(0.0..=180.0).contains(&angle) {
         return Err(format!("{angle} is no angle from 0 to 180 degrees"));

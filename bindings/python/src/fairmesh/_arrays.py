@@ -253,13 +253,17 @@ class Mesh:
     """
 
     def __init__(self, given: Any, faces: Any, coincident: Coincident | None = None) -> None:
-        kind, within = _coincident(coincident)
+        self._coincident = _coincident(coincident)
         self.host: Host = given if isinstance(given, Host) else Pair(given, faces)
         self.vertices = points(self.host.vertices, "vertices")
         self.faces, self.index_type = triangles(self.host.faces)
-        self.struct = _abi.fairmesh_mesh(
-            ctypes.sizeof(_abi.fairmesh_mesh), kind, points_view(self.vertices), indices_view(self.faces), within
-        )
+
+    @property
+    def struct(self) -> _abi.fairmesh_mesh:
+        """The library's view of it."""
+        kind, within = self._coincident
+        views = points_view(self.vertices), indices_view(self.faces)
+        return _abi.fairmesh_mesh(ctypes.sizeof(_abi.fairmesh_mesh), kind, *views, within)
 
 
 def _coincident(given: Coincident | None) -> tuple[int, float]:

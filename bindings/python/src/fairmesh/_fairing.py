@@ -21,6 +21,7 @@ from ._hosts import Arrays, M
 from ._keywords import FairKeywords
 from ._library import Library, load
 from ._options import curvature_view, how_far, loops_view, normals_view, real, target_struct, whole
+from ._pickling import Picklable
 from ._records import Report
 from ._reports import sized
 from ._runs import Run, region_of
@@ -36,7 +37,7 @@ if TYPE_CHECKING:
 _lists = _abi.fairmesh_list
 
 
-class Result(Generic[M]):
+class Result(Picklable, Generic[M]):
     """A faired mesh. Arrays are made when they are first asked for, and then kept."""
 
     def __init__(self, handle: ResultHandle, vertices: NDArray[Any], given: _arrays.Mesh) -> None:

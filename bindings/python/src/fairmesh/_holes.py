@@ -18,6 +18,7 @@ from ._handles import ResultHandle, result_of
 from ._hosts import Arrays, M, MeshLike
 from ._keywords import FillKeywords, MeshKeywords
 from ._options import set_options
+from ._pickling import Picklable
 from ._records import Bends, Loop, Moved, Report, bends_of, loop_of, moved_of, roughness_of
 from ._reports import sized
 from ._runs import Run
@@ -59,7 +60,7 @@ def _loop(handle: ResultHandle, index: int) -> Loop:
     )
 
 
-class LoopReport:
+class LoopReport(Picklable):
     """What became of a loop that was to be filled, or of several that are joined."""
 
     def __init__(self, handle: ResultHandle, index: int) -> None:
@@ -125,7 +126,7 @@ class LoopReport:
         return f"<fairmesh.LoopReport: {which}, {self.edge_count} edges, {self.outcome}{why}>"
 
 
-class NewMesh(Generic[M]):
+class NewMesh(Picklable, Generic[M]):
     """A mesh with new vertices at the end of its arrays."""
 
     def __init__(self, handle: ResultHandle, mesh: _arrays.Mesh) -> None:
@@ -198,7 +199,7 @@ class Filled(NewMesh[M]):
         """What became of each loop."""
         return [LoopReport(self._handle, index) for index in range(self._handle.info().loop_count)]
 
-    @property
+    @cached_property
     def is_success(self) -> bool:
         """Whether there is nothing to be said of the result: all loops are successes, and not all of them were passed
         over as outer boundaries. Where it is not, the command line ends with exit code 3.
