@@ -1,6 +1,7 @@
 //! Pictures of surfaces: a small software renderer, supersampled, as PNG.
 
 mod animation;
+mod axes;
 mod camera;
 mod canvas;
 mod label;
@@ -73,6 +74,9 @@ pub fn tiles(group: &Group<'_>) -> Vec<Pixels> {
     let paint = |view: &View<'_>| {
         let canvas = Canvas::paint(view, &camera, options);
         let mut tile = canvas.shrunk(options.samples);
+        if options.axes {
+            axes::draw(&mut tile, &camera, camera.bounds, options.samples);
+        }
         for label in group.labels {
             label.write(&mut tile, &canvas, &camera, options.samples);
         }
@@ -252,6 +256,40 @@ mod tests {
         assert_above!(front.len(), 50);
         assert_all!(front, |[x, y]| (15..35).contains(&x) && (10..40).contains(&y));
         assert!(white(-0.1).is_empty());
+    }
+
+    #[test]
+    fn coordinates_stand_below_and_to_the_left() {
+        let tile = |options: PictureOptions| {
+            let (positions, triangles) = squares(-0.1);
+            let view = View {
+                positions: &positions,
+                triangles: &triangles,
+                shading: Shading::Flat,
+                focus: &[],
+            };
+            let group = Group {
+                views: &[view],
+                options: &PictureOptions {
+                    tile: [300, 300],
+                    ..options
+                },
+                framed: &[],
+                labels: &[],
+            };
+            let pixels = tiles(&group)[0].bytes().as_chunks::<3>().0.to_vec();
+            let is_ink = |&k: &usize| pixels[k].iter().all(|light| *light < 80);
+            (0..pixels.len())
+                .filter(is_ink)
+                .map(|k| [k % 300, k / 300])
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(tile(from_above()), [[0; 2]; 0]);
+        let inked = tile(from_above().with_axes());
+        let count = |is_there: fn(&&[usize; 2]) -> bool| inked.iter().filter(is_there).count();
+        let (left, below) = (count(|at| at[0] < 50), count(|at| at[1] > 250));
+        assert!(left > 200 && below > 200, "{left}, {below}");
+        assert_eq!(count(|at| at[0] > 50 && at[1] < 250), 0);
     }
 
     #[test]

@@ -92,6 +92,9 @@ pub struct RenderArgs {
     /// largest
     #[arg(long, value_name = "LO,HI", allow_hyphen_values = true, verbatim_doc_comment)]
     range: Option<String>,
+    /// Coordinates at the edges of the box around the meshes
+    #[arg(long, conflicts_with = "turntable")]
+    axes: bool,
     /// Text below each picture, once per mesh; the file names by default, '' for none
     #[arg(long, value_name = "TEXT")]
     caption: Vec<String>,
@@ -354,11 +357,15 @@ fn options(args: &RenderArgs) -> Result<PictureOptions, Failure> {
         .and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]))
         .filter(|tile: &[usize; 2]| tile.iter().all(|side| SIZES.contains(side)))
         .ok_or_else(|| wrong("--size", &args.size, "WIDTHxHEIGHT, each from 16 to 4096"))?;
-    Ok(PictureOptions {
+    let plain = PictureOptions {
         tile,
         direction,
         up,
         ..PictureOptions::default()
+    };
+    Ok(match args.axes {
+        true => plain.with_axes(),
+        false => plain,
     })
 }
 

@@ -177,7 +177,7 @@ fn shown(
     let options = PictureOptions {
         direction: view.unwrap_or_else(|| above(geometry, marked)),
         up: up.unwrap_or(PictureOptions::default().up),
-        ..PictureOptions::default()
+        ..PictureOptions::default().with_axes()
     };
     let view = View {
         positions: &geometry.positions,

@@ -592,3 +592,18 @@ fn what_cannot_be_shown_is_refused() {
     refused_for(&directory, &["render", "none.ply", "-o", "a.png"], "none.ply");
     assert!(!directory.join("a.png").exists());
 }
+
+#[test]
+fn coordinates_are_shown_where_they_are_asked_for() {
+    let directory = prepared("axes");
+    let plain = ["render", "cap.obj", "-o", "plain.png", "--size", "200x200"];
+    expect(&directory, &plain, 0);
+    let axes = [
+        "render", "cap.obj", "-o", "axes.png", "--size", "200x200", "--axes",
+    ];
+    expect(&directory, &axes, 0);
+    let [plain, axes] = ["plain.png", "axes.png"].map(|name| fs::read(directory.join(name)).unwrap());
+    assert_ne!(plain, axes);
+    let turning = ["render", "cap.obj", "-o", "t.gif", "--axes", "--turntable", "4"];
+    expect(&directory, &turning, 2);
+}

@@ -30,6 +30,7 @@ impl Comparison<'_> {
                 margin: MARGIN,
                 direction,
                 up,
+                axes: false,
             };
             picture::seen(&view(surface, Shading::Marked(marked), &focus), &options, marked)
         };

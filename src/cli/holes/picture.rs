@@ -35,7 +35,7 @@ pub fn numbered(
             views: std::slice::from_ref(&view),
             options: &PictureOptions {
                 direction,
-                ..PictureOptions::default()
+                ..PictureOptions::default().with_axes()
             },
             framed: &[],
             labels: &labels,

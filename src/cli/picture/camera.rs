@@ -8,6 +8,8 @@ const DISTANCE: f64 = 5.0;
 
 /// An eye that looks at a point.
 pub struct Camera {
+    /// The box around what is seen.
+    pub bounds: [V3; 2],
     centre: V3,
     distance: f64,
     right: V3,
@@ -46,6 +48,7 @@ impl Camera {
         let right = unit(cross(options.up, back)).or_else(|| unit(cross([0.0, 1.0, 0.0], back)));
         let right = right.unwrap_or([1.0, 0.0, 0.0]);
         let mut camera = Self {
+            bounds: [low, high],
             centre,
             distance: DISTANCE * radius,
             right,

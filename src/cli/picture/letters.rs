@@ -9,14 +9,14 @@ const FONT: (FontWeight, RasterHeight) = (FontWeight::Regular, RasterHeight::Siz
 pub const LETTER: u32 = get_raster_width(FONT.0, FONT.1) as u32;
 pub const LINE: u32 = FONT.1 as u32;
 
-/// Writes letters in black on white.
+/// Writes letters in black over what is there.
 pub fn write(picture: &mut Pixels, [left, top]: [u32; 2], text: &str) {
     for (k, c) in (0..).zip(text.chars()) {
         let glyph = get_raster(c, FONT.0, FONT.1).or_else(|| get_raster('?', FONT.0, FONT.1));
         let Some(glyph) = glyph else { continue };
         for (y, row) in (top..).zip(glyph.rows()) {
             for (x, &ink) in (left + k * LETTER..).zip(row.iter()) {
-                picture.set(x, y, [255 - ink; 3]);
+                picture.darken(x, y, 255 - ink);
             }
         }
     }

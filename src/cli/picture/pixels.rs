@@ -40,6 +40,14 @@ impl Pixels {
         }
     }
 
+    /// Leaves so much of a pixel's light, of 255.
+    pub fn darken(&mut self, x: u32, y: u32, share: u8) {
+        if x < self.size[0] && y < self.size[1] {
+            let at = self.index(x, y);
+            self.rgb[at] = self.rgb[at].map(|light| (u16::from(light) * u16::from(share) / 255) as u8);
+        }
+    }
+
     /// Draws a rectangle of lines two pixels wide.
     pub fn frame(&mut self, low: [i64; 2], high: [i64; 2], colour: Rgb) {
         let mut dot = |x: i64, y: i64| {

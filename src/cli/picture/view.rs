@@ -46,6 +46,19 @@ pub struct PictureOptions {
     pub samples: usize,
     /// Share of a tile that stays empty on each side.
     pub margin: f64,
+    /// Coordinates are shown at the edges of the box around it.
+    pub axes: bool,
+}
+
+impl PictureOptions {
+    /// With coordinates, and room for them.
+    pub fn with_axes(self) -> Self {
+        Self {
+            margin: 0.13,
+            axes: true,
+            ..self
+        }
+    }
 }
 
 impl Default for PictureOptions {
@@ -56,6 +69,7 @@ impl Default for PictureOptions {
             up: [0.0, 0.0, 1.0],
             samples: 3,
             margin: 0.06,
+            axes: false,
         }
     }
 }
