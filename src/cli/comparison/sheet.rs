@@ -9,6 +9,8 @@ use crate::render::range::{self, Shown};
 
 /// Width and height of a picture.
 const TILE: [usize; 2] = [520, 440];
+/// Samples per pixel along each axis: with one less edges are ragged, one more takes half as long again as all else.
+const SAMPLES: usize = 2;
 /// Room around what has changed.
 const MARGIN: f64 = 0.18;
 /// Where more than this share of what has changed is in front of the rest, it is seen from above.
@@ -81,6 +83,7 @@ impl Comparison<'_> {
         let options = PictureOptions {
             tile: TILE,
             margin: MARGIN,
+            samples: SAMPLES,
             direction,
             up,
             ..PictureOptions::default()
