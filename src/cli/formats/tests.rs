@@ -205,6 +205,11 @@ fn malformed_ply_headers_are_refused_with_their_place() {
             "file:3: the file ends within the header",
         ),
         ("ply\nformat text 1.0\n", "file:2: unknown format"),
+        (
+            "ply\nformat ascii 1.0\u{2}rubbish\n",
+            "file:2: the format line has to be 'format ENCODING 1.0'",
+        ),
+        ("ply\nformat ascii\n", "file:2: the format line has to be"),
     ] {
         assert_refused(Format::Ply, text, message);
     }

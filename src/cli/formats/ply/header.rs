@@ -148,7 +148,13 @@ pub fn parse(bytes: &[u8]) -> Result<Header, Malformed> {
         let words: Vec<&str> = line.split_ascii_whitespace().collect();
         match words.as_slice() {
             [] | ["comment" | "obj_info", ..] => {}
-            ["format", name, ..] => encoding = Some(parse_encoding(name, at)?),
+            ["format", name, "1.0"] => encoding = Some(parse_encoding(name, at)?),
+            ["format", ..] => {
+                return Err(Malformed::text(
+                    at,
+                    "the format line has to be 'format ENCODING 1.0'",
+                ));
+            }
             ["element", name, count] => elements.push(parse_element(name, count, at, &elements)?),
             ["property", rest @ ..] => {
                 let property = parse_property(rest, at)?;
