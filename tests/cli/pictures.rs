@@ -5,7 +5,7 @@ use std::fs;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
-use crate::common::{cap, directory, expect, obj, sheet, write_lists};
+use crate::common::{cap, directory, expect, is_free, obj, sheet, write_lists};
 use crate::tier::tier;
 
 /// A picture's pixels, as red, green and blue, and its size.
@@ -399,6 +399,10 @@ fn a_report_is_one_page_that_says_what_was_done() {
     ] {
         assert!(page.contains(said), "{said}");
     }
+    // What is seen first: the verdict and the pictures; numbers are folded away.
+    let place = |what: &str| elements.iter().position(|e| e == what).unwrap();
+    assert!(place("p") < place("img") && place("img") < place("ul") && place("ul") < place("details"));
+    assert!(place("details") < place("table") && place("details") < place("svg"));
     // Letters of pictures may spell anything.
     let text: String = page.lines().filter(|line| !line.contains("base64")).collect();
     assert!(!text.contains("<b>") && !text.contains("NaN"));
@@ -768,4 +772,20 @@ fn what_is_not_finite_elsewhere_in_the_file_does_not_count() {
     expect(&directory, &args, 0);
     let page = fs::read_to_string(directory.join("a.html")).unwrap();
     assert!(page.contains("moved at most</th><td>0.09981 (at"));
+}
+
+#[test]
+fn curvature_is_no_advice_where_the_surroundings_are_rough() {
+    let directory = directory("pictures-rough");
+    write_lists(&directory);
+    for (amplitude, is_advised) in [(0.0, true), (0.012, false)] {
+        let noise = |v: usize| amplitude * (((v * 7_919 + 13) % 101) as f64 / 50.0 - 1.0);
+        let moved = |(v, [x, y, z]): (usize, [f64; 3])| [x, y, z + if is_free(v) { 0.0 } else { noise(v) }];
+        let positions: Vec<[f64; 3]> = cap().into_iter().enumerate().map(moved).collect();
+        fs::write(directory.join("cap.obj"), obj(&positions)).unwrap();
+        let (told, _) = expect(&directory, &[&FAIR[..], &["--report", "r.html"]].concat(), 0);
+        let page = fs::read_to_string(directory.join("r.html")).unwrap();
+        assert!(page.contains("Look at the reflection lines"), "{told}");
+        assert_eq!(page.contains("--continuity g2"), is_advised, "{told}");
+    }
 }

@@ -37,7 +37,7 @@ th{text-align:left;font-weight:normal;color:var(--dim);padding:.15rem 1.5rem .15
 pre{overflow-x:auto;white-space:pre-wrap;box-shadow:0 0 0 1px var(--line);padding:.6rem;font-size:.85rem}
 svg{max-width:44rem;width:100%;font-size:13px}svg text{fill:var(--ink)}.axis{stroke:var(--ink);fill:none}
 .before{fill:var(--before);fill-opacity:.25;stroke:var(--before);stroke-dasharray:5 3}.after{fill:var(--after);fill-opacity:.3;stroke:var(--after)}
-.key{font-weight:bold}.key.b{color:var(--before)}.key.a{color:var(--after)}footer{color:var(--dim);margin-top:2rem}
+.key{font-weight:bold}.key.b{color:var(--before)}.key.a{color:var(--after)}details{margin-top:2rem}summary{font-size:1.2rem;cursor:pointer}footer{color:var(--dim);margin-top:2rem}
 ";
 
 /// The page about a mesh that was read from `input` and written to `output`.
@@ -56,24 +56,6 @@ pub fn page(
     );
     let class = if story.is_good { "outcome good" } else { "outcome" };
     paragraph(&mut out, class, &story.outcome);
-    if !story.advice.is_empty() {
-        heading(&mut out, "What to look at next");
-        out += "<ul>\n";
-        for line in &story.advice {
-            let _ = writeln!(out, "<li>{}</li>", escaped(line));
-        }
-        out += "</ul>\n";
-    }
-    heading(&mut out, "What was asked");
-    let _ = writeln!(out, "<pre><code>{}</code></pre>", escaped(&command_line()));
-    heading(&mut out, "What was done");
-    let files = [("read", input), ("written", output)]
-        .map(|(name, path)| (name.to_owned(), path.display().to_string()));
-    table(
-        &mut out,
-        files.iter().chain(&measures(comparison)).chain(&story.facts),
-    );
-    heading(&mut out, "Before and after");
     out += "<div class=\"pair\">\n";
     for (caption, png) in sheet.pictures()? {
         let alt = escaped(&format!("{caption}, in {}", input.display()));
@@ -85,6 +67,24 @@ pub fn page(
         );
     }
     out += "</div>\n";
+    if !story.advice.is_empty() {
+        heading(&mut out, "What to look at next");
+        out += "<ul>\n";
+        for line in &story.advice {
+            let _ = writeln!(out, "<li>{}</li>", escaped(line));
+        }
+        out += "</ul>\n";
+    }
+    let _ = writeln!(out, "<details><summary>Numbers</summary>");
+    heading(&mut out, "What was asked");
+    let _ = writeln!(out, "<pre><code>{}</code></pre>", escaped(&command_line()));
+    heading(&mut out, "What was done");
+    let files = [("read", input), ("written", output)]
+        .map(|(name, path)| (name.to_owned(), path.display().to_string()));
+    table(
+        &mut out,
+        files.iter().chain(&measures(comparison)).chain(&story.facts),
+    );
     if let Some(svg) = histogram(comparison) {
         heading(&mut out, "Mean curvature of what has changed");
         out += "<p>Shares of its area, <span class=\"key b\">before (dashed)</span> and <span class=\"key a\">after</span>, in one over \
@@ -94,6 +94,7 @@ pub fn page(
     }
     heading(&mut out, "The report as it is printed");
     let _ = writeln!(out, "<pre>{}</pre>", escaped(story.printed.trim_end()));
+    out += "</details>\n";
     let version = env!("CARGO_PKG_VERSION");
     let _ = writeln!(out, "<footer>fairmesh {version}</footer>\n</body>\n</html>");
     Ok(out)

@@ -10,6 +10,10 @@ use crate::figures::{VERTICES, listed, range, significant};
 /// Where the eye finds what figures may hide.
 const LINES: &str = "Look at the reflection lines: they should run over the edge of what has changed without a break, which is a crease";
 const KINKS: &str = "; a kink there is a jump of curvature, which '--continuity g2' takes away.";
+/// Where faces beside the boundary turn from its normals by more than so many degrees, root mean square, the surroundings are too rough to tell a
+/// curvature. On four regions of smooth scans they turn by 1 to 4.6, on two of rough ones by 12 and 13; at half two of the smooth ones get no advice,
+/// at double none changes.
+const ROUGH: f64 = 5.0;
 
 /// Of a region that was faired.
 pub fn of_fairing(report: &Report, asks_continuity: bool, remedy: &str, printed: String) -> Story {
@@ -20,7 +24,7 @@ pub fn of_fairing(report: &Report, asks_continuity: bool, remedy: &str, printed:
         command: "fair",
         is_good,
         outcome: explain::outcome(report),
-        advice: advice([remedy], is_good, asks_continuity),
+        advice: advice([remedy], is_good, !asks_continuity && is_smooth(report)),
         facts: named(facts),
         printed,
     }
@@ -57,11 +61,15 @@ pub fn of_patches(
     let remedies = patches
         .iter()
         .filter_map(|(_, _, report)| Some(report.fairing.as_ref()?.outcome.remedy()));
+    let mut faired = patches
+        .iter()
+        .filter_map(|(_, _, report)| report.fairing.as_ref());
+    let has_more = !asks_continuity && faired.all(is_smooth);
     Story {
         command,
         is_good,
         outcome,
-        advice: advice(remedies, is_good, asks_continuity),
+        advice: advice(remedies, is_good, has_more),
         facts,
         printed,
     }
@@ -86,9 +94,9 @@ fn surface(report: &Report, asks_continuity: bool) -> Vec<(&'static str, String)
             format!("at most {kink} degrees ({before} there in the input)"),
         ),
         (
-            "boundary normals",
+            "from boundary normals to faces",
             format!(
-                "kept to {} degrees, root mean square {}",
+                "at most {} degrees, root mean square {}",
                 significant(quality.normal_deviation),
                 significant(quality.normal_deviation_rms)
             ),
@@ -115,12 +123,13 @@ fn surface(report: &Report, asks_continuity: bool) -> Vec<(&'static str, String)
     rows
 }
 
-/// These, each once; what to look at where all is well.
-fn advice<'a>(
-    remedies: impl IntoIterator<Item = &'a str>,
-    is_good: bool,
-    asks_continuity: bool,
-) -> Vec<String> {
+/// Whether what is around is smooth enough to continue its curvature.
+fn is_smooth(report: &Report) -> bool {
+    report.quality.normal_deviation_rms < ROUGH
+}
+
+/// These, each once; what to look at where all is well, and whether curvature may be asked for.
+fn advice<'a>(remedies: impl IntoIterator<Item = &'a str>, is_good: bool, has_more: bool) -> Vec<String> {
     let mut advice: Vec<String> = Vec::new();
     for remedy in remedies.into_iter().map(str::to_owned) {
         if !remedy.is_empty() && !advice.contains(&remedy) {
@@ -128,7 +137,7 @@ fn advice<'a>(
         }
     }
     if is_good {
-        advice.push(LINES.to_owned() + if asks_continuity { "." } else { KINKS });
+        advice.push(LINES.to_owned() + if has_more { KINKS } else { "." });
     }
     advice
 }
