@@ -195,7 +195,7 @@ pub(crate) const LADDER: &[Rung] = &[
         condition: Condition::Harmonic,
         weights: Weights::Asked,
         start: Start::BesideSound,
-        procedure: Procedure::RepairHere,
+        procedure: Procedure::Regain,
         options: PATIENT,
         kept: Kept::Result,
     },

@@ -16,6 +16,9 @@ use crate::support::profile::clock;
 /// Half or double, of 27 cases: none changes.
 const ROUNDING_FLOOR: f64 = 1e-9;
 
+/// As asked, edges bend by no more than so many times as much, in squares: where triangles are stretched, uniform weights fold them. Of 70 such
+/// bands one ends off its surface by a hundredth of the radius at 1.6 times. Of 244 regions, half or double: as many succeed.
+pub(crate) const BENDS_MORE: f64 = 1.5;
 /// Of two surfaces the later one is taken if its bending energy is less by this part.
 /// Half or double, of 16 cases: none changes.
 const LESS_ENERGY: f64 = 1e-3;
@@ -146,10 +149,11 @@ impl Candidate {
     }
 
     /// Of two sound surfaces the one of less bending energy is the better one, unless it turns away from boundary normals, or has the weights of
-    /// the surface of least bending: on coarse meshes these alone change the energy by a third.
+    /// the surface of least bending: on coarse meshes these alone change the energy by a third, so that it has to be less by more ([`BENDS_MORE`]).
     pub(crate) fn is_better_than(&self, other: &Self) -> bool {
         let is_as_asked = other.formulation.of_surface || !self.formulation.of_surface;
-        is_as_asked
+        let is_far_better = BENDS_MORE * self.bending_energy < other.bending_energy;
+        (is_as_asked || is_far_better)
             && self.bending_energy < (1.0 - LESS_ENERGY) * other.bending_energy
             && self.suspicious_normals <= other.suspicious_normals
     }

@@ -520,4 +520,20 @@ mod tests {
         };
         assert_eq!(considered(poor), None);
     }
+
+    /// A neck is no answer where the tube is found too, though with other weights than those asked.
+    #[test]
+    fn a_surface_of_far_less_energy_is_better_whatever_its_weights() {
+        let with = |bending_energy: f64, of_surface: bool| {
+            let mut candidate = stalled(1e-13);
+            candidate.bending_energy = bending_energy;
+            candidate.formulation.of_surface = of_surface;
+            candidate
+        };
+        let (neck, tube) = (with(10.6, false), with(4.7, true));
+        assert!(tube.is_better_than(&neck) && !neck.is_better_than(&tube));
+        // A third less may be the weights alone.
+        assert!(!with(0.7, true).is_better_than(&with(1.0, false)));
+        assert!(with(0.7, false).is_better_than(&with(1.0, false)));
+    }
 }

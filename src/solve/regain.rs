@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use super::bending::Bending;
-use super::candidate::Candidate;
+use super::candidate::{BENDS_MORE, Candidate};
 use super::control::Control;
 use super::formulation::Formulation;
 use super::iterate_options::{IterateOptions, IterationStatus};
@@ -12,10 +12,6 @@ use super::system::System;
 use super::weight_repair::{Anew, WeightRepair};
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::solve::transition::Transition;
-
-/// As asked, edges bend by no more than so many times as much, in squares: where triangles are stretched, uniform weights fold them. Of 70 such
-/// bands one ends off its surface by a hundredth of the radius at 1.6 times. Of 244 regions, half or double: as many succeed.
-const BENDS_MORE: f64 = 1.5;
 
 /// The attempt with other weights, and what it has led to.
 #[derive(Debug)]

@@ -116,7 +116,18 @@ impl Ladder {
             Start::CoarseMember => self.of_coarse_mesh(true, &mut formulation, system, control),
             Start::MinimalEnergy => self.minimal_energy.clone(),
             Start::Stalled => self.stalled.take().map(|(x, _)| x),
-            Start::BesideSound => second_surface(&self.sound.as_ref()?.x, &formulation, system, control),
+            Start::BesideSound => {
+                let x = second_surface(&self.sound.as_ref()?.x, &formulation, system, control)?;
+                if system.domain.is_stretched() {
+                    let weights = FairnessWeights::mean_value(&system.domain.batches, &x);
+                    formulation = Formulation {
+                        of_surface: true,
+                        ..formulation.weighted(weights.into())
+                    };
+                    system.factor_inner(&formulation.weights).ok()?;
+                }
+                Some(x)
+            }
             Start::LeastBending => self.least_bending(system, control).map(|(x, _)| x.clone()),
         };
         start.map(|x| (x, formulation))
