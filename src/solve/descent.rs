@@ -14,7 +14,7 @@ use super::limited_step::{advance, limited_part};
 use super::system::System;
 
 /// How far it descends.
-struct DescentOptions {
+pub(crate) struct DescentOptions {
     /// The weight of the distortion.
     distortion: f64,
     /// Steps at most.
@@ -26,7 +26,7 @@ struct DescentOptions {
 /// Of 244 regions that the direct way does not solve: with half the distortion 1 more succeeds, with double 3 more, with four times 3 more, but of 70
 /// bands of stretched triangles 5 fewer; with half or double the steps 1 fewer; with a third of the gain 3 fewer (+40 % time), with three times 2
 /// fewer (-25 % time).
-const FIRST: DescentOptions = DescentOptions {
+pub(crate) const FIRST: DescentOptions = DescentOptions {
     distortion: 8e-3,
     steps: 150,
     gain: 1e-2,
@@ -34,7 +34,7 @@ const FIRST: DescentOptions = DescentOptions {
 /// On stretched triangles the shapes that connectivity asks for do not fit the boundary, and the surface is narrow for their sake; with a tenth of the
 /// weight it widens, slowly. Of 10 bands of 265 that the first alone leads nowhere on 7 succeed, with half or double the weight or double the steps too, with
 /// half the steps 6; with half the gain 7, with double 5.
-const SECOND: DescentOptions = DescentOptions {
+pub(crate) const SECOND: DescentOptions = DescentOptions {
     distortion: 0.1 * FIRST.distortion,
     steps: 600,
     gain: 1e-3,
@@ -76,30 +76,11 @@ impl System {
     pub(crate) fn descend(
         &mut self,
         x: Vec<Vector3<f64>>,
-        formulation: &Formulation,
-        control: &mut Control<'_>,
-    ) -> Result<Vec<Vector3<f64>>, Collapsed> {
-        self.factor_connectivity(formulation)?;
-        Ok(self.descend_by(&FIRST, x, control))
-    }
-
-    /// One of less still, from where [`Self::descend`] has led to, with less regard to the shapes of triangles.
-    pub(crate) fn descend_further(
-        &mut self,
-        x: Vec<Vector3<f64>>,
-        formulation: &Formulation,
-        control: &mut Control<'_>,
-    ) -> Result<Vec<Vector3<f64>>, Collapsed> {
-        self.factor_connectivity(formulation)?;
-        Ok(self.descend_by(&SECOND, x, control))
-    }
-
-    fn descend_by(
-        &mut self,
         options: &DescentOptions,
-        x: Vec<Vector3<f64>>,
+        formulation: &Formulation,
         control: &mut Control<'_>,
-    ) -> Vec<Vector3<f64>> {
+    ) -> Result<Vec<Vector3<f64>>, Collapsed> {
+        self.factor_connectivity(formulation)?;
         let (domain, normals) = (self.domain.clone(), self.boundary_normals().to_vec());
         let bending = Bending::new(&domain, &normals, options.distortion);
         let mut descent = Descent::new(bending, x, self.free());
@@ -113,7 +94,7 @@ impl System {
                 break;
             }
         }
-        descent.x
+        Ok(descent.x)
     }
 
     /// The square of a step's length in the metric of `P`.
@@ -281,10 +262,10 @@ mod tests {
         let mut control = Control::new(1e-8, 100, None);
         let asked = system.asked().clone();
         let first = system
-            .descend(domain.surface().to_vec(), &asked, &mut control)
+            .descend(domain.surface().to_vec(), &FIRST, &asked, &mut control)
             .unwrap();
         let second = system
-            .descend_further(first.clone(), &asked, &mut control)
+            .descend(first.clone(), &SECOND, &asked, &mut control)
             .unwrap();
         [first, second].map(|x| {
             let free = &x[..domain.region.free];

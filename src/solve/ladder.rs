@@ -4,8 +4,6 @@
 mod coarse_search;
 mod starts;
 
-use std::sync::Arc;
-
 use fairmesh_linear::interrupt::unless_stopped;
 use nalgebra::Vector3;
 
@@ -23,7 +21,6 @@ use super::quasi_newton::Iteration;
 use super::result::{SolveResult, SolveStatus, Trial};
 use super::system::System;
 use crate::discrete::equations::State;
-use crate::discrete::inner_fairness::FairnessWeights;
 use crate::quality::NEEDLE;
 use crate::solve::g2::continuation::Continuation;
 use crate::solve::transition::Transition;
@@ -52,7 +49,7 @@ pub(crate) struct Ladder {
     /// The linear surface, once it is needed.
     linear: Option<Vec<Vector3<f64>>>,
     /// The surface of least bending and its inner fairness, once they are needed.
-    least_bending: Option<(Vec<Vector3<f64>>, Arc<FairnessWeights>)>,
+    least_bending: Option<(Vec<Vector3<f64>>, Formulation)>,
     /// The surface of smallest step norm at which an attempt at the solution has stalled since the last one along the normals, and that
     /// step norm.
     stalled: Option<(Vec<Vector3<f64>>, f64)>,
@@ -471,6 +468,7 @@ impl Ladder {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::discrete::inner_fairness::FairnessWeights;
     use crate::discrete::target::RightHandSide;
 
     fn stalled(step: f64) -> Candidate {

@@ -6,11 +6,11 @@ use nalgebra::Vector3;
 use super::bending::Bending;
 use super::candidate::{BENDS_MORE, Candidate};
 use super::control::Control;
+use super::descent::SECOND;
 use super::formulation::Formulation;
 use super::iterate_options::{IterateOptions, IterationStatus};
 use super::system::System;
 use super::weight_repair::{Anew, WeightRepair};
-use crate::discrete::inner_fairness::FairnessWeights;
 use crate::solve::transition::Transition;
 
 /// The attempt with other weights, and what it has led to.
@@ -80,12 +80,10 @@ impl Regain {
     /// Once more where triangles are stretched, from a surface of less bending energy.
     fn begin_further_down(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<Transition> {
         let asked = system.asked().clone();
-        let x = system.descend_further(self.start.take()?, &asked, control).ok()?;
-        let weights = FairnessWeights::mean_value(&system.domain.batches, &x);
-        let formulation = Formulation {
-            of_surface: true,
-            ..asked.weighted(weights.into())
-        };
+        let x = system
+            .descend(self.start.take()?, &SECOND, &asked, control)
+            .ok()?;
+        let formulation = system.spread_as(&x);
         let (repair, next) =
             WeightRepair::begin(formulation, x, self.options, Anew::FromSurface, system, control);
         self.repair = repair;

@@ -153,6 +153,16 @@ impl System {
         self.asked.right_hand_side = right_hand_side;
     }
 
+    /// What is asked for, spread by the mean-value weights of a surface, which is so its solution already.
+    pub(crate) fn spread_as(&self, x: &[Vector3<f64>]) -> Formulation {
+        Formulation {
+            of_surface: true,
+            ..self
+                .asked()
+                .weighted(FairnessWeights::mean_value(&self.domain.batches, x).into())
+        }
+    }
+
     /// What is asked for.
     pub(crate) fn asked(&self) -> &Formulation {
         &self.asked

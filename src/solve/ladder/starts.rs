@@ -1,14 +1,12 @@
 //! Where attempts begin, and with what.
 
-use std::sync::Arc;
-
 use nalgebra::Vector3;
 
 use super::Ladder;
-use crate::discrete::inner_fairness::FairnessWeights;
 use crate::solve::attempt::{Rung, Start, Weights};
 use crate::solve::coarse_result::CoarseResult;
 use crate::solve::control::{Control, STARTED};
+use crate::solve::descent::FIRST;
 use crate::solve::factor::Collapsed;
 use crate::solve::formulation::Formulation;
 use crate::solve::initial::PHASE;
@@ -73,16 +71,16 @@ impl Ladder {
         &mut self,
         system: &mut System,
         control: &mut Control<'_>,
-    ) -> Option<&(Vec<Vector3<f64>>, Arc<FairnessWeights>)> {
+    ) -> Option<&(Vec<Vector3<f64>>, Formulation)> {
         if self.least_bending.is_none() {
             let start = match &self.coarse {
                 Some(CoarseResult::Found { x, .. } | CoarseResult::Missed { x: Some(x), .. }) => x.clone(),
                 _ => self.linear.clone()?,
             };
             let asked = system.asked().clone();
-            let x = system.descend(start, &asked, control).ok()?;
-            let weights = FairnessWeights::mean_value(&system.domain.batches, &x);
-            self.least_bending = Some((x, weights.into()));
+            let x = system.descend(start, &FIRST, &asked, control).ok()?;
+            let formulation = system.spread_as(&x);
+            self.least_bending = Some((x, formulation));
         }
         self.least_bending.as_ref()
     }
@@ -97,11 +95,8 @@ impl Ladder {
         let mut formulation = match attempt.weights {
             Weights::Asked => system.asked().clone(),
             Weights::LeastBending => {
-                let (_, weights) = self.least_bending(system, control)?;
-                Formulation {
-                    of_surface: true,
-                    ..system.asked().weighted(weights.clone())
-                }
+                let (_, formulation) = self.least_bending(system, control)?;
+                formulation.clone()
             }
             Weights::AsLeft => self.left(system),
             Weights::None => Formulation {
@@ -119,11 +114,7 @@ impl Ladder {
             Start::BesideSound => {
                 let x = second_surface(&self.sound.as_ref()?.x, &formulation, system, control)?;
                 if system.domain.is_stretched() {
-                    let weights = FairnessWeights::mean_value(&system.domain.batches, &x);
-                    formulation = Formulation {
-                        of_surface: true,
-                        ..formulation.weighted(weights.into())
-                    };
+                    formulation = system.spread_as(&x);
                     system.factor_inner(&formulation.weights).ok()?;
                 }
                 Some(x)
