@@ -167,6 +167,15 @@ mod tests {
         (positions, vec![[0, 1, 2], [0, 2, 3], [4, 6, 5], [4, 7, 6]])
     }
 
+    fn flat<'a>(positions: &'a [V3], triangles: &'a [[u32; 3]]) -> View<'a> {
+        View {
+            positions,
+            triangles,
+            shading: Shading::Flat,
+            focus: &[],
+        }
+    }
+
     fn from_above() -> PictureOptions {
         PictureOptions {
             tile: [50, 50],
@@ -209,12 +218,7 @@ mod tests {
     fn what_others_hide_is_not_seen() {
         let share = |near: f64, is_marked: [bool; 4]| {
             let (positions, triangles) = squares(near);
-            let view = View {
-                positions: &positions,
-                triangles: &triangles,
-                shading: Shading::Flat,
-                focus: &[],
-            };
+            let view = flat(&positions, &triangles);
             seen(&view, &from_above(), &is_marked)
         };
         let inner = [false, false, true, true];
@@ -229,12 +233,7 @@ mod tests {
     fn a_label_stands_where_its_points_are_and_nowhere_if_they_are_hidden() {
         let white = |near: f64| {
             let (positions, triangles) = squares(near);
-            let view = View {
-                positions: &positions,
-                triangles: &triangles,
-                shading: Shading::Flat,
-                focus: &[],
-            };
+            let view = flat(&positions, &triangles);
             let label = Label {
                 text: "7".to_owned(),
                 points: positions[4..].to_vec(),
@@ -262,12 +261,7 @@ mod tests {
     fn coordinates_stand_below_and_to_the_left() {
         let tile = |options: PictureOptions| {
             let (positions, triangles) = squares(-0.1);
-            let view = View {
-                positions: &positions,
-                triangles: &triangles,
-                shading: Shading::Flat,
-                focus: &[],
-            };
+            let view = flat(&positions, &triangles);
             let group = Group {
                 views: &[view],
                 options: &PictureOptions {

@@ -9,7 +9,8 @@ use crate::render::range::{self, Shown};
 
 /// Width and height of a picture.
 const TILE: [usize; 2] = [520, 440];
-/// Samples per pixel along each axis: with one less edges are ragged, one more takes half as long again as all else.
+/// Samples per pixel along each axis. With half of them edges and lines are ragged, for 6 % less time; with double it takes 57 % more, and looks the
+/// same (`docs/dented.ply`).
 const SAMPLES: usize = 2;
 /// Room around what has changed.
 const MARGIN: f64 = 0.18;
