@@ -37,5 +37,6 @@ in_window() {
     SIZE=$1 $tests/gui.sh "$zip" "$out/gui" "$2" | grep -v '^Info\|^Modules\|^addon_utils'
 }
 in_window 1280x800 gui
+in_window 1280x800 start
 in_window 900x640 live
 in_window 640x480 live_frames

@@ -20,9 +20,7 @@ import window
 from common import part
 from window import call, click, picture, press, view, wait_until
 
-# From the top of the sidebar to the first button of the add-on's tab, in pixels.
-BUTTON = 45
-# And to the first panel of options.
+# From the top of the sidebar to the first panel of options, in pixels.
 OPTIONS = 237
 
 
@@ -76,9 +74,8 @@ def labels_fit():
     """No name or choice is cut at the width that the sidebar has from the start, or in the panel of the last operator."""
     scene(lambda: common.irregular_sphere(8))
     yield 1.0
-    sidebar = next(r for r in view()["area"].regions if r.type == "UI")
     # Beside it are the tabs and margins; in the other panel two fifths are for names.
-    room, names, values = sidebar.width - 47, 118, 170
+    room, names, values = window.sidebar().width - 47, 118, 170
     blf.size(0, 11.0)
 
     def needs(text, more=0):
@@ -104,9 +101,7 @@ def seen():
     obj, free = scene(lambda: common.geodesic_sphere(60))
     name = obj.name
     yield 2.0
-    # The tab of the add-on: the last one of the sidebar.
-    sidebar = next(r for r in view()["area"].regions if r.type == "UI")
-    yield from click(sidebar.x + sidebar.width - 12, sidebar.y + sidebar.height - 175)
+    yield from window.open_tab()
     picture("panel")
     before = common.coordinates(obj)
     with held() as go:
@@ -182,10 +177,9 @@ def small_region():
     obj, free = scene(lambda: common.irregular_sphere(16))
     name = obj.name
     yield 0.5
-    sidebar = next(r for r in view()["area"].regions if r.type == "UI")
     # The options of the surface, open for the picture.
-    yield from click(sidebar.x + 60, sidebar.y + sidebar.height - OPTIONS)
-    yield from click(sidebar.x + 100, sidebar.y + sidebar.height - BUTTON)
+    yield from click(window.sidebar().x + 60, window.sidebar().y + window.sidebar().height - OPTIONS)
+    yield from window.press_button()
     assert common.radial_error(bpy.data.objects[name], free) < 1e-5, "the button did nothing"
     first = common.coordinates(bpy.data.objects[name])
     last = bpy.context.window_manager.operators[-1]

@@ -18,6 +18,8 @@ from mathutils import Vector
 ZIP, FOLDER = sys.argv[sys.argv.index("--") + 1 :]
 # Blender ends a modal operator's timer loop between two of these.
 POLL = 0.01
+# From the top of the sidebar to the add-on's tab, to its first button, and from one button to the next, in pixels.
+TAB, BUTTON, ROW = 175, 45, 23
 
 
 def view():
@@ -72,6 +74,20 @@ def click(x, y):
     yield 0.1
     window.event_simulate(type="LEFTMOUSE", value="RELEASE", x=x, y=y)
     yield 0.7
+
+
+def sidebar():
+    return next(r for r in view()["area"].regions if r.type == "UI")
+
+
+def open_tab():
+    """Clicks on the add-on's tab, the last one of the sidebar."""
+    yield from click(sidebar().x + sidebar().width - 12, sidebar().y + sidebar().height - TAB)
+
+
+def press_button(number=0):
+    """Clicks on a button in the add-on's tab, by default the first one."""
+    yield from click(sidebar().x + 100, sidebar().y + sidebar().height - BUTTON - ROW * number)
 
 
 def wait_until(condition, seconds):
