@@ -165,6 +165,70 @@ fn off_and_ply_need_no_line_for_each_row() {
     });
 }
 
+/// The sheet's rows as triangle strips: a strip for each, all in one list. With `ending` "big" or "little" in binary.
+fn strips(ending: &str) -> Vec<u8> {
+    let at = |row: usize, column: usize| (row * SIDE + column) as i32;
+    let mut strip = Vec::new();
+    for row in 0..SIDE - 1 {
+        strip.extend((0..SIDE).flat_map(|column| [at(row + 1, column), at(row, column)]));
+        strip.push(-1);
+    }
+    let header = ply_header().replace(
+        &format!("element face {}\nproperty list uchar", quads().len()),
+        "element tristrips 1\nproperty list int",
+    );
+    if ending == "ascii" {
+        let rows = strip.iter().map(|v| format!(" {v}"));
+        let rows = rows.collect::<String>();
+        let text = format!("{header}{}{}{rows}\n", vertex_lines("\n"), strip.len());
+        return text.into_bytes();
+    }
+    let mut bytes = header
+        .replace("ascii", &format!("binary_{ending}_endian"))
+        .into_bytes();
+    let is_big = ending == "big";
+    for x in sheet().into_iter().flatten() {
+        bytes.extend(if is_big { x.to_be_bytes() } else { x.to_le_bytes() });
+    }
+    strip.insert(0, strip.len() as i32);
+    for v in strip {
+        bytes.extend(if is_big { v.to_be_bytes() } else { v.to_le_bytes() });
+    }
+    bytes
+}
+
+#[test]
+fn triangle_strips_are_read_as_the_faces_they_stand_for() {
+    let directory = prepared("strips");
+    let [_, _, ply, stl] = samples();
+    let triangle = |[a, b, c]: [usize; 3]| format!("3 {a} {b} {c}\n");
+    let faces = quads()
+        .into_iter()
+        .flat_map(|[a, b, c, d]| [[d, a, c], [c, a, b]]);
+    let faces: String = faces.map(triangle).collect();
+    let old = format!("element face {}", quads().len());
+    let header = ply_header().replace(&old, &format!("element face {}", 2 * quads().len()));
+    let text = format!("{header}{}{faces}", vertex_lines("\n"));
+    let sample = Sample {
+        region: stl.region,
+        ..ply
+    };
+    let usual = faired(&directory, &sample, text.as_bytes());
+    assert!(usual == faired(&directory, &sample, &strips("ascii")));
+    let ending_at = |bytes: &[u8]| bytes.windows(11).position(|w| w == b"end_header\n").unwrap() + 11;
+    let mut answers = ["little", "big"].map(|ending| faired(&directory, &sample, &strips(ending)));
+    let begin = ending_at(&answers[0]);
+    let vertices = 24 * SIDE * SIDE;
+    for number in answers[1][begin - 3..][..vertices].chunks_exact_mut(8) {
+        number.reverse();
+    }
+    assert!(answers[0][begin..][..vertices] == answers[1][begin - 3..][..vertices]);
+    let first: [u8; 8] = answers[0][begin..][..8].try_into().unwrap();
+    let line = String::from_utf8_lossy(&usual[ending_at(&usual)..]).into_owned();
+    let x: f64 = line.split(' ').next().unwrap().parse().unwrap();
+    assert!((f64::from_le_bytes(first) - x).abs() < 1e-12);
+}
+
 #[test]
 fn new_rows_stand_behind_rows_without_lines() {
     let directory = prepared("fill_rows");
@@ -311,7 +375,7 @@ fn what_is_no_text_of_a_known_format_is_refused_with_its_cause() {
         .encode_utf16()
         .flat_map(u16::to_le_bytes)
         .collect();
-    let cases: [(&str, &[u8], &str); 5] = [
+    let cases: [(&str, &[u8], &str); 7] = [
         (
             "a.ply.gz",
             b"ply",
@@ -325,6 +389,8 @@ fn what_is_no_text_of_a_known_format_is_refused_with_its_cause() {
         ("a.stl", b"PK\x03\x04", "this file is compressed (zip)"),
         ("a.obj", &utf16, "this text is encoded as UTF-16"),
         ("mesh", b"", "unknown file format"),
+        ("a.glb", b"glTF", "trimesh.load('a.glb', force='mesh')"),
+        ("a.vtp", b"<?xml", "pyvista.read('a.vtp').extract_surface()"),
     ];
     refused_with_their_causes("causes-formats", &cases);
 }
@@ -333,9 +399,12 @@ fn what_is_no_text_of_a_known_format_is_refused_with_its_cause() {
 fn what_off_and_ply_have_but_is_not_read_is_refused_with_its_cause() {
     let longer = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
         element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 2\n";
-    let strips = b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
-        element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-    let cases: [(&str, &[u8], &str); 5] = [
+    let both = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+        element face 0\nproperty list uchar int vertex_indices\nelement tristrips 1\n\
+        property list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    let beyond = both.replace("element face 0\nproperty list uchar int vertex_indices\n", "");
+    let beyond = beyond.replace("3 0 1 2\n", "3 0 1 3\n");
+    let cases: [(&str, &[u8], &str); 6] = [
         ("b.off", b"OFF BINARY\n\0\0\0\x03", "binary OFF is not supported"),
         ("c.off", b"4OFF\n1 1 1\n", "'4OFF' is not supported"),
         (
@@ -348,7 +417,12 @@ fn what_off_and_ply_have_but_is_not_read_is_refused_with_its_cause() {
             longer.as_bytes(),
             "this row of element 'face' has more numbers than the header says",
         ),
-        ("b.ply", strips, "triangle strips are not supported"),
+        (
+            "b.ply",
+            both.as_bytes(),
+            "faces beside triangle strips are not supported",
+        ),
+        ("d.ply", beyond.as_bytes(), "d.ply:13: a strip names vertex 3"),
     ];
     refused_with_their_causes("causes-rows", &cases);
 }

@@ -37,18 +37,11 @@ impl Format {
             Some("obj") => Ok(Format::Obj),
             Some("off" | "coff" | "noff") => Ok(Format::Off),
             Some("stl") => Ok(Format::Stl),
-            other => {
-                let why = match other {
-                    Some("bz2" | "xz" | "zst" | "zip") => {
-                        "of compressed files only those ending in .gz are read and written; unpack it first"
-                    }
-                    _ if packed::is_named_so(path) => {
-                        "unknown file format; use a name ending in .ply.gz, .obj.gz, .off.gz or .stl.gz"
-                    }
-                    _ => "unknown file format; use a name ending in .ply, .obj, .off or .stl",
-                };
-                Err(Failure::new(format!("{}: {why}", path.display())))
-            }
+            other => Err(Failure::new(format!(
+                "{}: {}",
+                path.display(),
+                why_unknown(path, other)
+            ))),
         }
     }
 
@@ -69,4 +62,31 @@ impl Format {
             Format::Ply | Format::Obj | Format::Off => OutputPrecision::Double,
         }
     }
+}
+
+/// What to do with a file of another format.
+fn why_unknown(path: &Path, extension: Option<&str>) -> String {
+    match extension {
+        Some("bz2" | "xz" | "zst" | "zip") => {
+            "of compressed files only those ending in .gz are read and written; unpack it first".to_owned()
+        }
+        _ if packed::is_named_so(path) => {
+            "unknown file format; use a name ending in .ply.gz, .obj.gz, .off.gz or .stl.gz".to_owned()
+        }
+        Some("glb" | "gltf" | "3mf" | "dae") => read_by(path, "trimesh", "load", ", force='mesh').export("),
+        Some("vtk" | "vtp" | "vtu" | "vti" | "vts") => {
+            read_by(path, "pyvista", "read", ").extract_surface().triangulate().save(")
+        }
+        _ => "unknown file format; use a name ending in .ply, .obj, .off or .stl".to_owned(),
+    }
+}
+
+/// The two lines of Python that make a PLY file of it.
+fn read_by(path: &Path, package: &str, reads: &str, writes: &str) -> String {
+    let (from, to) = (path.display(), path.with_extension("ply"));
+    format!(
+        "this format is neither read nor written, but Python's {package} reads it: import {package}; \
+         {package}.{reads}('{from}'{writes}'{}')",
+        to.display()
+    )
 }

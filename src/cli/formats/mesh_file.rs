@@ -42,9 +42,14 @@ impl MeshFile {
     ///
     /// # Errors
     /// Bytes that are no mesh of this format; a mesh without a face.
-    pub fn parse(name: &str, format: Format, bytes: Vec<u8>) -> Result<Self, Failure> {
+    pub fn parse(name: &str, format: Format, mut bytes: Vec<u8>) -> Result<Self, Failure> {
         if let Some(why) = packed::packing(&bytes) {
             return Err(Failure::new(format!("{name}: {why}")));
+        }
+        if format == Format::Ply {
+            let faces =
+                ply::strips::faces_for_strips(&bytes).map_err(|malformed| malformed.locate(name, &bytes))?;
+            bytes = faces.unwrap_or(bytes);
         }
         let parsed = match format {
             Format::Ply => ply::parse(&bytes).map(|(geometry, places)| (geometry, Places::Ply(places))),

@@ -4,6 +4,7 @@ mod grow;
 mod header;
 mod only;
 mod rows;
+pub mod strips;
 mod texture;
 
 use crate::failure::Malformed;
@@ -16,9 +17,6 @@ use rows::{Field, Rows};
 
 /// MeshLab's (VCG's) bit for "selected" in `flags`, of vertices and faces alike.
 const SELECTED: i64 = 0x20;
-
-/// A mesh of strips is told by its cause, not by the faces that it lacks.
-const STRIPS: &str = "triangle strips are not supported; save the file with faces";
 
 /// Where vertices and faces are.
 pub struct Ply {
@@ -73,7 +71,6 @@ fn read(bytes: &[u8], header: &Header, layout: Layout) -> Result<(Geometry, Ply)
                 at = read_faces(&rows, at, &mut geometry, &mut offsets)?;
                 &mut face
             }
-            "tristrips" if element.count > 0 => return Err(rows.malformed(element.at, STRIPS)),
             _ => {
                 at = pass_over(&rows, at)?;
                 has_others |= element.count > 0;
