@@ -15,12 +15,20 @@ def test_each_is_in_the_list_with_its_picture():
         assert f"({path.name})" in page and f"({path.stem}.png)" in page
         assert (FOLDER / f"{path.stem}.png").stat().st_size > 20_000
         assert path.read_text().count("assert ") >= 2
-    assert len(NOTEBOOKS) >= 6
+    assert len(NOTEBOOKS) >= 7
 
 
 @pytest.mark.skipif(not os.environ.get("FAIRMESH_TEST_LONG"), reason="long tests only")
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=[path.stem for path in NOTEBOOKS])
 def test_notebooks(path, tmp_path, monkeypatch):
+    executed(path, tmp_path, monkeypatch)
+
+
+def test_a_cluster_accounts_for_a_thousand_scans_and_a_worker_that_dies(tmp_path, monkeypatch):
+    executed(FOLDER / "many_scans.py", tmp_path, monkeypatch)
+
+
+def executed(path, tmp_path, monkeypatch):
     jupytext = pytest.importorskip("jupytext")
     nbclient = pytest.importorskip("nbclient")
     # The kernel is a process of its own.

@@ -66,6 +66,22 @@ def test_a_result_comes_back_from_another_process():
     assert np.array_equal(result.mesh[0], result.vertices)
 
 
+def refused(_):
+    vertices, faces, free = dented_sphere()[:3]
+    faces[3, 1] = len(vertices) + 7
+    fairmesh.fair(vertices, faces, free)
+
+
+def test_what_is_raised_in_another_process_is_raised_here():
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
+        with pytest.raises(fairmesh.InputError, match="triangle 3 names vertex") as caught:
+            list(pool.map(refused, [0]))
+        again = list(pool.map(fair, [0]))
+    why = caught.value
+    assert (why.element, why.status) == (3, fairmesh.Status.INDEX_OUT_OF_RANGE)
+    assert why.element_kind is fairmesh.ElementKind.TRIANGLE and len(again) == 1
+
+
 def test_of_a_mesh_of_another_package_too():
     vertices, faces, free = dented_sphere()[:3]
     result = fairmesh.fair(trimesh.Trimesh(vertices, faces, process=False), free)

@@ -51,6 +51,10 @@ class FairmeshError(Exception):
         self.other = other
         self.argument = argument
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For pickles: an exception is made of its message alone, and then has what it says else."""
+        return _made, (type(self), self.message), vars(self)
+
     def add_advice(self, advice: str) -> None:
         """Puts more at the end of the message, if there is more to say."""
         if advice:
@@ -66,6 +70,10 @@ class FairmeshError(Exception):
     def remedy(self) -> str:
         """What can be done about it: English, begins in lower case; empty if there is nothing to do."""
         return self.status.remedy
+
+
+def _made(kind: type[FairmeshError], message: str) -> FairmeshError:
+    return kind(Status.INTERNAL, message)
 
 
 class InputError(FairmeshError, ValueError):
