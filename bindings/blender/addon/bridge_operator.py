@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 
-from . import fairmesh, filling, menus, messages, snapshot
+from . import advice, fairmesh, filling, menus, messages, snapshot
 from .job import Background, for_each
 from .patch_options import BridgeOptions
 
@@ -33,12 +33,7 @@ class MESH_OT_fairmesh_bridge(Background, filling.Filling, BridgeOptions, bpy.ty
             if len(runs) == 2:
                 chosen.append(filling.Holes(mesh, [], mesh.triangles, join=runs))
         if not chosen:
-            why = messages.not_selected(
-                meshes,
-                "These are not two runs of edges",
-                "select two runs of boundary edges of one object, each without a gap, that do not touch each other",
-            )
-            self.report({"ERROR"}, why)
+            self.tell({"ERROR"}, _refusal(meshes))
             return None
         # The thread reads no properties.
         fill_rest, width = self.fill_rest, self.width
@@ -57,20 +52,37 @@ class MESH_OT_fairmesh_bridge(Background, filling.Filling, BridgeOptions, bpy.ty
         strip = each.result.strip
         if strip.outcome is not fairmesh.FillOutcome.LEFT_OPEN:
             return None
-        advice = f". {messages.TURN}" if strip.reason is fairmesh.FillReason.OPPOSITE_SIDES else ""
-        return f"No bridge was made: {strip.reason.text}{advice}"
+        return f"No bridge was made: {messages.reason(strip, {})}"
 
     def told(self, each):
         return messages.bridged(each.result, self.smooth)
 
 
-def _runs(mesh):
-    """The runs of selected boundary edges: their vertices, one after the other."""
-    edges = snapshot.selected_edges(mesh.object, mesh.edge_faces == 1)
+def _refusal(meshes):
+    """Why there are no two runs in any of the meshes."""
+    if any(beside and all(len(others) == 2 for others in beside.values()) for beside in map(_beside, meshes)):
+        return advice.named(
+            "Whole loops are selected: for these there is {fairmesh_join_loops}. A bridge is for parts of loops"
+        )
+    return messages.not_selected(
+        meshes,
+        "These are not two runs of edges",
+        "select two runs of boundary edges of one object, each without a gap, that do not touch each other",
+    )
+
+
+def _beside(mesh):
+    """Per vertex of selected boundary edges, those at their other ends."""
     beside = {}
-    for a, b in edges.tolist():
+    for a, b in snapshot.selected_edges(mesh.object, mesh.edge_faces == 1).tolist():
         beside.setdefault(a, []).append(b)
         beside.setdefault(b, []).append(a)
+    return beside
+
+
+def _runs(mesh):
+    """The runs of selected boundary edges: their vertices, one after the other."""
+    beside = _beside(mesh)
     runs = []
     ends = [v for v, others in beside.items() if len(others) == 1]
     seen = set()

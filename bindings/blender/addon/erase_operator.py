@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 
-from . import fairmesh, filling, menus, messages, snapshot
+from . import advice, fairmesh, filling, menus, messages, snapshot
 from .job import Background
 from .patch_options import CleanOptions, OuterOptions, RimOptions
 
@@ -32,7 +32,7 @@ class MESH_OT_fairmesh_erase_and_fill(
         meshes = [mesh for mesh in every if mesh.face_selected.any()]
         if not meshes:
             why = messages.not_selected(every, "No face is selected", "select the faces that are to be replaced")
-            self.report({"ERROR"}, why)
+            self.tell({"ERROR"}, why)
             return None
         chosen = []
         for mesh in meshes:
@@ -40,7 +40,7 @@ class MESH_OT_fairmesh_erase_and_fill(
                 holes = _erased(mesh, self.clean_boundary)
             why = self._no_hole(holes)
             if why is not None:
-                self.report({"ERROR"}, f"{mesh.object.name}: {why}. The mesh is unchanged")
+                self.tell({"ERROR"}, f"{mesh.object.name}: {why}. The mesh is unchanged")
                 return None
             chosen.append(holes)
         return self.work_on(chosen)
@@ -51,9 +51,8 @@ class MESH_OT_fairmesh_erase_and_fill(
         if not loops:
             return "nothing is left around the selected faces that a new surface could go on from"
         if not self.outer and any(loop.kind is fairmesh.LoopKind.OUTER_BOUNDARY for loop in loops):
-            return (
-                "the selected faces lie at the outer boundary of the surface, which would be closed: "
-                'deselect those there, or switch on "Outer Boundaries, Too"'
+            return "the selected faces lie at the outer boundary of the surface, which would be closed: " + advice.named(
+                "deselect those there, or switch on {outer}"
             )
         if any(holes.mesh.vertex_hidden[loop.vertices].any() for loop in loops):
             return "a vertex around the selected faces is hidden"
@@ -62,7 +61,7 @@ class MESH_OT_fairmesh_erase_and_fill(
     def objection(self, holes):
         # The old faces are better than none.
         still = [loop for loop in holes.result.loops if loop.outcome is fairmesh.FillOutcome.LEFT_OPEN]
-        return messages.filled(still)[1] if still else None
+        return messages.filled(still, holes.places())[1] if still else None
 
 
 def _erased(mesh, clean):

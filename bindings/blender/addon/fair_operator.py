@@ -44,7 +44,7 @@ class MESH_OT_fairmesh_fair(Background, RegionOptions, FairingOptions, bpy.types
         every = [self._region(context, obj) for obj in context.objects_in_mode_unique_data]
         regions = [r for r in every if r.free.any()]
         if not regions:
-            self.report({"ERROR"}, messages.not_selected((r.mesh for r in every), *self.nothing_free(context)))
+            self.tell({"ERROR"}, messages.not_selected((r.mesh for r in every), *self.nothing_free(context)))
             return None
 
         def compute(part, monitor):
@@ -69,7 +69,7 @@ class MESH_OT_fairmesh_fair(Background, RegionOptions, FairingOptions, bpy.types
         last_reports[:] = [part.result.report for part in regions]
         for part in regions:
             kind, text = messages.faired(part.result.report, self.continuity)
-            self.report({kind}, messages.name_before(regions, part) + text)
+            self.tell({kind}, messages.name_before(regions, part) + text)
             remember(part)
         return {"FINISHED"}
 

@@ -3,6 +3,7 @@
 
 from bpy.props import FloatProperty, IntProperty
 
+from . import advice
 from .properties import choice, selection, switch
 
 
@@ -30,7 +31,9 @@ class RegionOptions:
         if self.is_by_faces(context):
             return (
                 "No vertex can move",
-                "select faces with vertices inside, as the selection's boundary stays; or set Region to Selected Vertices",
+                advice.named(
+                    "select faces with vertices inside, as the selection's boundary stays; or set {region.VERTICES}"
+                ),
             )
         return "No vertex can move", "select vertices inside the mesh. Its boundary and vertices of hidden faces stay"
 

@@ -3,7 +3,7 @@
 
 import bpy
 
-from . import fairmesh, filling, menus, messages
+from . import advice, fairmesh, filling, menus, messages
 from .job import Background
 from .patch_options import GuideOptions, HoleOptions, OuterOptions, RimOptions, TrimOptions
 from .properties import selection
@@ -43,7 +43,7 @@ class MESH_OT_fairmesh_fill_holes(
         meshes = [self._holes(obj) for obj in context.objects_in_mode_unique_data]
         chosen = [holes for holes in meshes if holes.loops]
         if not chosen:
-            self.report({"ERROR"}, self._nothing(meshes))
+            self.tell({"ERROR"}, self._nothing(meshes))
             return None
         return self.work_on(chosen) if filling.guide(self, chosen) else None
 
@@ -55,9 +55,11 @@ class MESH_OT_fairmesh_fill_holes(
             holes.loops = filling.selected(holes)
         self._leave_out(holes, "a vertex is hidden", lambda loop: mesh.vertex_hidden[loop.vertices].any())
         if not self.outer:
+            hanging = filling.hanging(holes)
+            self._leave_out(holes, messages.why(fairmesh.FillReason.HANGING), lambda loop: id(loop) in hanging)
             self._leave_out(
                 holes,
-                'it is the outer boundary of an open surface: switch on "Outer Boundaries, Too" to fill it',
+                messages.why(fairmesh.FillReason.OUTER_BOUNDARY),
                 lambda loop: loop.kind is fairmesh.LoopKind.OUTER_BOUNDARY,
             )
         if self.scope == "ALL":
@@ -72,19 +74,25 @@ class MESH_OT_fairmesh_fill_holes(
         longest = {id(loop) for loop in by_length[: self.except_longest]}
         self._leave_out(holes, "it is one of the largest", lambda loop: id(loop) in longest)
         if self.max_edges:
-            self._leave_out(holes, "it has more edges than Most Edges", lambda loop: len(loop.vertices) > self.max_edges)
+            self._leave_out(
+                holes, advice.named("it has more edges than {max_edges}"), lambda loop: len(loop.vertices) > self.max_edges
+            )
         # Lengths and areas as seen in the scene, up to the object's size.
         size = holes.mesh.size
         if self.max_length:
-            self._leave_out(holes, "it is longer than Longest", lambda loop: size * loop.length > self.max_length)
+            self._leave_out(
+                holes, advice.named("it is longer than {max_length}"), lambda loop: size * loop.length > self.max_length
+            )
         if self.max_diagonal:
             self._leave_out(
                 holes,
-                "it is wider than Widest",
+                advice.named("it is wider than {max_diagonal}"),
                 lambda loop: size * filling.largest_diagonal([(holes.mesh, loop.vertices)]) > self.max_diagonal,
             )
         if self.max_area:
-            self._leave_out(holes, "it is larger than Largest Area", lambda loop: size**2 * loop.area > self.max_area)
+            self._leave_out(
+                holes, advice.named("it is larger than {max_area}"), lambda loop: size**2 * loop.area > self.max_area
+            )
 
     def _leave_out(self, holes, why, applies):
         left = [(index, loop) for index, loop in holes.loops if not applies(loop)]

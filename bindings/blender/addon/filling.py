@@ -6,12 +6,12 @@ from dataclasses import dataclass, field
 import bpy
 import numpy as np
 
-from . import fairmesh, found, messages, pairs, patch, snapshot
+from . import advice, fairmesh, found, messages, pairs, patch, snapshot
 from .fairing_options import FairingOptions
 from .job import for_each
 from .patch_options import PatchOptions, RimOptions
 
-_HIDDEN = "vertices around a hole would move that are hidden: show them (Alt-H), or let fewer move by Smooth Rim"
+_HIDDEN = "vertices around a hole would move that are hidden: show them (Alt-H), or let fewer move by {relax_rim}"
 
 
 @dataclass
@@ -38,6 +38,16 @@ class Holes:
         """The loops that are filled by themselves, or looked at for joining."""
         return [] if isinstance(self.join, list) else [index for index, _ in self.loops]
 
+    @property
+    def face_of(self):
+        """The face of the object that each of `triangles` is a part of."""
+        of = self.mesh.face_of
+        return of[~np.isin(of, self.erased)]
+
+    def places(self):
+        """By the library's number of each loop, a vertex of it."""
+        return {index: int(loop.vertices[0]) for index, loop in self.loops}
+
     def moved(self):
         """The old vertices that the result has elsewhere: rims that were allowed to move."""
         now = self.result.vertices[: len(self.mesh.vertices)]
@@ -63,7 +73,7 @@ class Filling(FairingOptions, PatchOptions):
 
     def told(self, holes):
         """How it went."""
-        return messages.filled(holes.result.loops, self.continuity, holes.mesh.size)
+        return messages.filled(holes.result.loops, holes.places(), self.continuity, holes.mesh.size)
 
     def work_on(self, chosen):
         """A function for the thread that fills all of `chosen`, a list of `Holes`."""
@@ -94,14 +104,14 @@ class Filling(FairingOptions, PatchOptions):
         for holes in chosen:
             why = self.objection(holes)
             if why is not None:
-                self.report({"ERROR"}, f"{messages.name_before(chosen, holes)}{why}. The mesh is unchanged")
+                self.tell({"ERROR"}, f"{messages.name_before(chosen, holes)}{why}. The mesh is unchanged")
                 return {"CANCELLED"}
         return self.write(chosen)
 
     def objection(self, holes):
         """Why a result is not to be written; None: it is."""
         if holes.trimmed and not holes.result.new_face_count:
-            return messages.filled(holes.result.loops)[1]
+            return messages.filled(holes.result.loops, holes.places())[1]
         return None
 
     def write(self, chosen):
@@ -109,7 +119,7 @@ class Filling(FairingOptions, PatchOptions):
         for holes in chosen:
             snapshot.edit_mesh(holes.mesh)  # all are still there, before the first is changed
             if holes.mesh.vertex_hidden[holes.moved()].any():
-                self.report({"ERROR"}, f"{messages.name_before(chosen, holes)}{_HIDDEN}. The mesh is unchanged")
+                self.tell({"ERROR"}, f"{messages.name_before(chosen, holes)}{advice.named(_HIDDEN)}. The mesh is unchanged")
                 return {"CANCELLED"}
         bpy.ops.mesh.select_all(action="DESELECT")
         for holes in chosen:
@@ -122,7 +132,7 @@ class Filling(FairingOptions, PatchOptions):
                 text += f"; {messages.faces(more)} erased besides: they hung loose or would have spoilt the rim"
             for count, why in holes.skipped:
                 text += f"; {count} left open: {why}"
-            self.report({kind}, messages.name_before(chosen, holes) + text)
+            self.tell({kind}, messages.name_before(chosen, holes) + text)
         return {"FINISHED"}
 
 
@@ -132,6 +142,27 @@ def read(obj):
     with messages.about(mesh):
         loops = list(enumerate(fairmesh.boundary_loops(mesh.seen(), mesh.triangles)))
     return Holes(mesh, loops, mesh.triangles)
+
+
+def hanging(holes):
+    """Of the loops, by `id`, those around faces that hang at larger pieces of the mesh by single vertices only.
+
+    Such faces are remembered, so that they can be selected.
+    """
+    mesh = holes.mesh
+    outer = [loop for _, loop in holes.loops if loop.kind is fairmesh.LoopKind.OUTER_BOUNDARY]
+    if not outer:
+        return set()
+    of = fairmesh.components(mesh.seen(), holes.triangles)
+    largest = np.zeros(len(mesh.vertices), np.int64)
+    np.maximum.at(largest, holes.triangles, np.bincount(of)[of][:, None])
+    made = [loop for loop in outer if largest[loop.vertices].max() > loop.component_faces]
+    if made:
+        faces = np.unique(holes.face_of[np.isin(of, [loop.component for loop in made])])
+        found.remember(
+            found.Found(mesh.object, mesh.counts, f"{len(faces)} faces that hang by single vertices", faces=faces)
+        )
+    return {id(loop) for loop in made}
 
 
 def trimmed(holes, chosen, most, area):
@@ -173,7 +204,7 @@ def guide(operator, chosen):
         why = why or why_not
     if any(holes.guides for holes in chosen):
         return True
-    operator.report({"ERROR"}, why)
+    operator.tell({"ERROR"}, why)
     return False
 
 

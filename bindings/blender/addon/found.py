@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Vertices and faces that the last run had something to say about, and the operator that selects them."""
+"""What the last run has said, the vertices and faces that it named, and the operator that selects them."""
 
 import bmesh
 import bpy
 
 _last = None
+#: What was said, [(whether it is good news, text)], and of which objects.
+_said = []
+_named = frozenset()
 
 
 class Found:
@@ -32,6 +35,26 @@ def last(context):
         if obj.name == _last.name and obj.mode == "EDIT":
             return _last
     return None
+
+
+def begin():
+    """A run begins: nothing is said or found yet."""
+    remember(None)
+    _said.clear()
+
+
+def say(context, kind, text):
+    """What the sidebar shows of the last run; `kind` as an operator reports."""
+    global _named
+    _said.append((kind == {"INFO"}, text))
+    _named = frozenset(obj.name for obj in context.objects_in_mode)
+    for area in context.screen.areas if context.screen else ():
+        area.tag_redraw()
+
+
+def said(context):
+    """What the last run has said, if it was of an object that is edited now."""
+    return _said if context.mode == "EDIT_MESH" and context.edit_object.name in _named else []
 
 
 class MESH_OT_fairmesh_select_found(bpy.types.Operator):
@@ -71,4 +94,4 @@ def register():
 
 def unregister():
     bpy.utils.unregister_class(MESH_OT_fairmesh_select_found)
-    remember(None)
+    begin()

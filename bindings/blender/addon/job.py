@@ -65,7 +65,7 @@ def for_each(parts, compute):
 
     def work(monitor):
         for part in parts:
-            with messages.about(part.mesh):
+            with messages.about(part.mesh, getattr(part, "face_of", None)):
                 part.result = compute(part, monitor)
         return parts
 
@@ -112,6 +112,11 @@ class Background:
         layout = self.layout
         layout.use_property_split = True
         self.draw_options(layout)
+
+    def tell(self, kind, text):
+        """Reports, and leaves the whole text in the sidebar: the status bar cuts it."""
+        found.say(bpy.context, kind, text)
+        self.report(kind, text)
 
     def execute(self, context):
         work = self._guarded(self._prepare, context)
@@ -164,7 +169,7 @@ class Background:
 
     def _prepare(self, context):
         native.load()
-        found.remember(None)
+        found.begin()
         return self.prepare(context)
 
     def _show(self):
@@ -179,7 +184,7 @@ class Background:
         # The thread ends before its next iteration; its result is nobody's then.
         self._job.monitor.cancel()
         self.leave()
-        self.report({"INFO"}, f"{self.bl_label}: cancelled, nothing was changed")
+        self.tell({"INFO"}, f"{self.bl_label}: cancelled, nothing was changed")
         return {"CANCELLED"}
 
     def _end(self, context):
@@ -190,9 +195,9 @@ class Background:
         try:
             return function(*arguments)
         except fairmesh.FairmeshError as why:
-            self.report({"ERROR"}, messages.refused(why, getattr(why, "subject", None)))
+            self.tell({"ERROR"}, messages.refused(why, getattr(why, "subject", None)))
         except (fairmesh.LibraryError, MemoryError) as why:
-            self.report({"ERROR"}, f"{self.bl_label}: {why}")
+            self.tell({"ERROR"}, f"{self.bl_label}: {why}")
         except snapshot.Stale:
-            self.report({"ERROR"}, f"{self.bl_label}: the mesh was changed meanwhile, nothing was written. Run it again")
+            self.tell({"ERROR"}, f"{self.bl_label}: the mesh was changed meanwhile, nothing was written. Run it again")
         return None

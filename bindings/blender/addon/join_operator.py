@@ -33,7 +33,7 @@ class MESH_OT_fairmesh_join_loops(
             self._choose(holes)
         chosen = [holes for holes in meshes if holes.join]
         if not chosen:
-            self.report({"ERROR"}, self._nothing(meshes))
+            self.tell({"ERROR"}, self._nothing(meshes))
             return None
         return self.work_on(chosen) if filling.guide(self, chosen) else None
 
@@ -75,8 +75,8 @@ class MESH_OT_fairmesh_join_loops(
         done = [holes for holes in chosen if holes.result.new_face_count]
         for holes in chosen:
             if holes not in done:
-                text = messages.filled(holes.result.loops)[1]
-                self.report({"WARNING" if done else "ERROR"}, messages.name_before(chosen, holes) + text)
+                text = messages.filled(holes.result.loops, holes.places())[1]
+                self.tell({"WARNING" if done else "ERROR"}, messages.name_before(chosen, holes) + text)
             filling.remember_refused(holes)
         return self.write(done) if done else {"CANCELLED"}
 

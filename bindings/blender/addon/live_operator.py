@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty, BoolVectorProperty, CollectionProperty, EnumProperty, IntProperty
 
-from . import fair_operator, job, live_run, menus, messages, region, snapshot, triangulation
+from . import advice, fair_operator, job, live_run, menus, messages, region, snapshot, triangulation
 from .fairing_options import FairingOptions, RegionOptions
 from .job import Background
 from .live_edits import FAIRMESH_PG_live_edit
@@ -79,17 +79,19 @@ class MESH_OT_fairmesh_live(Background, RegionOptions, FairingOptions, bpy.types
         free = region.free_mask(mesh, self.is_by_faces(context))
         count = np.count_nonzero(free)
         if not count:
-            self.report({"ERROR"}, messages.not_selected([mesh], *self.nothing_free(context)))
+            self.tell({"ERROR"}, messages.not_selected([mesh], *self.nothing_free(context)))
             return None
         symmetry = region.Symmetry(mesh, free)
         mesh.triangles = triangulation.cut_evenly(mesh, free)
         live = LiveRegion(mesh, free, symmetry, self.fairing_keywords(region.diagonal(mesh, free)))
         if not live.loops:
-            self.report({"ERROR"}, "The region has no boundary: deselect something around what is to move")
+            self.tell({"ERROR"}, "The region has no boundary: deselect something around what is to move")
             return None
         if count > MOST_FREE:
-            text = f"{count} vertices would move, too many to be dragged: select at most {MOST_FREE}, or use Fair Selection"
-            self.report({"ERROR"}, text)
+            text = advice.named(
+                f"{count} vertices would move, too many to be dragged: select at most {MOST_FREE}, or use {{fairmesh_fair}}"
+            )
+            self.tell({"ERROR"}, text)
             return None
 
         def compute(monitor):
@@ -117,7 +119,7 @@ class MESH_OT_fairmesh_live(Background, RegionOptions, FairingOptions, bpy.types
         snapshot.write_positions(live.mesh, indices, positions)
         fair_operator.last_reports[:] = [live.result.report]
         kind, text = messages.faired(live.result.report, self.continuity)
-        self.report({kind}, text)
+        self.tell({kind}, text)
         fair_operator.remember(live)
         return {"FINISHED"}
 
@@ -168,7 +170,7 @@ class MESH_OT_fairmesh_live(Background, RegionOptions, FairingOptions, bpy.types
     def abandon(self):
         """Ends the run with the mesh as it was."""
         self._stop()
-        self.report({"INFO"}, f"{self.bl_label}: cancelled, nothing was changed")
+        self.tell({"INFO"}, f"{self.bl_label}: cancelled, nothing was changed")
         return {"CANCELLED"}
 
     def _stop(self):

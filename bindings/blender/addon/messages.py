@@ -3,27 +3,8 @@
 
 from contextlib import contextmanager
 
-from . import found
-from .fairmesh import ElementKind, FairmeshError, FillOutcome, FillReason, Outcome, Status
-
-# What to do in Blender's own words, where it has a command that helps; otherwise the library's remedy is told.
-_ADVICE = {
-    Status.NON_MANIFOLD_VERTEX: "Faces that meet in this vertex only: split it (Mesh > Split, Rip) or deselect it",
-    Status.INCONSISTENT_ORIENTATION: "Make the normals consistent: Mesh > Normals > Recalculate Outside",
-    Status.DUPLICATE_TRIANGLE: "Delete the doubled face: Mesh > Clean Up > Merge by Distance",
-    Status.REPEATED_INDEX: "Delete the broken face: Mesh > Clean Up > Degenerate Dissolve",
-    Status.INDEX_OUT_OF_RANGE: "The mesh is corrupt: leave Edit mode and call Mesh.validate()",
-    Status.NO_NORMAL: "The faces around this vertex have no area: merge or dissolve them, or select them, too",
-}
-
-# The same for outcomes.
-_AFTER = {
-    Outcome.NOT_CONVERGED: "Select more, set Tangents to Averaged, or use Erase and Fill",
-    Outcome.CONVERGED_POOR_TRIANGLES: "Look at these faces; the Distribution Even, or Erase and Fill, usually cures them",
-    Outcome.ITERATION_LIMIT: "Allow more Iterations, or fair the result once more",
-    Outcome.TARGET_NOT_REACHABLE: "Give less Bulge, or select a smaller region",
-}
-
+from . import advice, found
+from .fairmesh import ElementKind, FairmeshError, FillOutcome, FillReason, Outcome
 
 # How much of it there is. `r` is the report.
 _FIGURES = {
@@ -36,17 +17,14 @@ _FIGURES = {
 }
 
 
-# What to do about loops that face opposite ways.
-TURN = "Turn the normals of one of the two parts around: select it (L), Mesh > Normals > Flip"
-
-
 @contextmanager
-def about(subject):
-    """Notes in errors which `Snapshot` they are about."""
+def about(subject, face_of=None):
+    """Notes in errors which `Snapshot` they are about, and which of its faces the triangles are of, if not of all."""
     try:
         yield
     except FairmeshError as why:
         why.subject = subject
+        why.face_of = subject.face_of if face_of is None else face_of
         raise
 
 
@@ -63,21 +41,24 @@ def not_selected(meshes, why, advice):
 
 def refused(why, subject):
     """The text for a `fairmesh.FairmeshError`; what it names can be selected then. `subject`: the `Snapshot`."""
-    where = ""
+    # Where nothing of Blender's is named, the library may have an argument to name.
+    text = why.message
     found.remember(None)
     if subject is not None:
-        vertices, faces = _named(why, subject)
+        vertices, faces = _named(why)
         if vertices or faces:
             kind = "vertex" if len(vertices) == 1 else "edge of vertices" if vertices else "face"
             numbers = " and ".join(str(i) for i in vertices or faces)
-            where = f" ({kind} {numbers} of {subject.object.name})"
+            text = f"{kind.capitalize()} {numbers} of {subject.object.name}: {advice.meaning(why.status)}"
             found.remember(found.Found(subject.object, subject.counts, f"{kind} {numbers}", vertices, faces))
-    advice = _ADVICE.get(why.status) or _sentence(why.remedy)
-    ending = f". {advice}" if advice else ""
-    return f"{why.message}{where}. The mesh is unchanged{ending}"
+    return _sentences(text, "The mesh is unchanged", advice.remedy(why.status))
 
 
-def _named(why, subject):
+def _sentences(*parts):
+    return ". ".join(part for part in parts if part)
+
+
+def _named(why):
     """The vertices and the faces of Blender's mesh that an error is about."""
     if why.element is None:
         return [], []
@@ -86,23 +67,20 @@ def _named(why, subject):
     if why.element_kind == ElementKind.EDGE:
         return [why.element, why.other], []
     if why.element_kind == ElementKind.TRIANGLE:
-        return [], [int(subject.face_of[why.element])]
+        return [], [int(why.face_of[why.element])]
     return [], []
 
 
-def _sentence(text):
-    return text[:1].upper() + text[1:]
-
-
-def faired(report, continuity=0.0):
-    """How a fairing went, `continuity` of curvature being asked for: ("INFO" or "WARNING", text)."""
+def faired(report, continuity=0.0, is_patch=False):
+    """How a fairing, or that of new faces, went; `continuity` of curvature was asked for: ("INFO" or "WARNING", text)."""
     vertices = f"{report.free_vertices} vertices faired in {report.iterations} iterations"
     short = _short_of_curvature([report], continuity)
     if report.outcome is Outcome.CONVERGED:
         return "INFO", vertices + short
     figures = _FIGURES.get(report.outcome, "").format(r=report, reached=100 * report.reached)
-    advice = _AFTER.get(report.outcome) or _sentence(report.remedy)
-    return "WARNING", f"{vertices}{_components(report)}: {report.text}{figures}. {advice}{short}"
+    answer = report.loose_reason if report.outcome is Outcome.CONVERGED_LOOSELY else report.outcome
+    text = f"{vertices}{_components(report)}: {advice.meaning(answer)}{figures}"
+    return "WARNING", _sentences(text, advice.remedy(answer, is_patch)) + short
 
 
 def _short_of_curvature(reports, asked):
@@ -130,16 +108,19 @@ def _components(report):
     return f" ({fair} of {len(report.components)} separate parts are fair; one that is not is at vertex {first.vertex})"
 
 
-def filled(loops, continuity=0.0, size=1.0):
-    """How a filling went: ("INFO" or "WARNING", text). `loops`: a list of `fairmesh.LoopReport`; `size`: of their unit."""
+def filled(loops, places, continuity=0.0, size=1.0):
+    """How a filling went: ("INFO" or "WARNING", text). `loops`: a list of `fairmesh.LoopReport`; `size`: of their unit.
+
+    `places`: by the library's numbers of loops, a vertex of each.
+    """
     closed = [loop for loop in loops if loop.outcome is not FillOutcome.LEFT_OPEN]
     text = _count(closed) + _moved(closed, size)
     rough = [loop for loop in closed if not loop.is_success]
     still = [loop for loop in loops if loop.outcome is FillOutcome.LEFT_OPEN]
     if rough:
-        text += f", {len(rough)} of them not fair: {_reason(rough[0])}"
+        text += f", {len(rough)} of them not fair: {reason(rough[0], places)}"
     if still:
-        text += f"; {len(still)} left open: {_reason(still[0])}"
+        text += f"; {len(still)} left open: {reason(still[0], places)}"
     coarse = sum(loop.coarsened for loop in closed)
     if coarse:
         text += f"; {coarse} coarser than asked, to keep the number of vertices"
@@ -156,7 +137,7 @@ def bridged(result, is_faired):
         return "WARNING", f"{text}; together, {faired(result.whole)[1]}"
     loops = [result.strip, *result.rest]
     rough = [loop for loop in loops if loop.outcome is FillOutcome.LEFT_OPEN or not loop.is_success]
-    return "WARNING", text + (f", not fair: {_reason(rough[0])}" if rough else "")
+    return "WARNING", text + (f", not fair: {reason(rough[0], {})}" if rough else "")
 
 
 def faces(count):
@@ -186,14 +167,30 @@ def _moved(closed, size):
     return f"; {count} vertices around moved, by {largest:.3g} at most"
 
 
-def _reason(loop):
+def reason(loop, places):
+    """Why a loop is open or its patch not fair, and what to do."""
     if loop.moved is not None and loop.moved.unsound:
-        return f"{loop.moved.unsound} old faces beside it are folded or intersect since the rim moved: change Smooth Rim"
+        text = f"{loop.moved.unsound} old faces beside it are folded or intersect since the rim moved"
+        return _sentences(text, advice.named("Change {relax_rim}"))
     if loop.outcome is FillOutcome.SELF_INTERSECTING:
-        return f"{loop.outcome.text} ({len(loop.intersections)} pairs of triangles); {loop.outcome.remedy}"
-    if loop.reason is FillReason.NONE and loop.report is not None:
-        return faired(loop.report)[1]
-    if loop.reason is FillReason.OPPOSITE_SIDES:
-        first, second = loop.reason_elements
-        return f"{loop.reason.text} (loops {first} and {second}). {TURN}"
-    return f"{loop.reason.text} ({loop.edge_count} edges)"
+        text = f"{advice.meaning(loop.outcome)} ({len(loop.intersections)} pairs of faces)"
+        return _sentences(text, advice.remedy(loop.outcome))
+    if loop.report is not None and loop.reason in {FillReason.NONE, FillReason.UNSOUND}:
+        return faired(loop.report, is_patch=True)[1]
+    return _sentences(f"{advice.meaning(loop.reason)}{_place(loop, places)}", advice.remedy(loop.reason))
+
+
+def why(answer):
+    """What is said of a loop that was left out for this."""
+    return f"{advice.meaning(answer)}. {advice.remedy(answer)}"
+
+
+def _place(loop, places):
+    """Where it is, in Blender's numbers where it has some."""
+    if loop.reason is FillReason.OPPOSITE_SIDES and all(index in places for index in loop.reason_elements):
+        return " (the loops at vertices {} and {})".format(*(places[index] for index in loop.reason_elements))
+    if loop.reason in {FillReason.NON_MANIFOLD, FillReason.INCONSISTENT}:
+        return " (vertices {} and {})".format(*loop.reason_elements)
+    if loop.reason in {FillReason.SHARED_VERTEX, FillReason.HANGING, FillReason.NOT_FINITE} and loop.reason_elements:
+        return f" (vertex {loop.reason_elements[0]})"
+    return f" ({loop.edge_count} edges)"

@@ -4,6 +4,8 @@
 import bmesh
 import numpy as np
 
+from . import advice
+
 
 def of(mesh):
     """The pairs of a `Snapshot`, and why there are none: ([(a, b)], "") or ([], text)."""
@@ -14,7 +16,7 @@ def of(mesh):
     if chosen and len(order) % 2 == 0 and sorted(order) == chosen:
         return list(zip(order[::2], order[1::2])), ""
     return [], (
-        f"Connect Pairs: select pairs of boundary vertices, one vertex after the other (Shift-click); "
+        f"{advice.named('{guides}')}: select pairs of boundary vertices, one vertex after the other (Shift-click); "
         f"{len(chosen)} {'is' if len(chosen) == 1 else 'are'} selected, {len(order)} of them one by one"
     )
 

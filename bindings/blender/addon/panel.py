@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The tab Fairmesh of the sidebar: the operators, and all of their options."""
 
+import blf
 import bpy
 
 from . import curvature_operator, found, manual
@@ -19,6 +20,10 @@ _OPERATORS = (
     (MESH_OT_fairmesh_bridge, "MOD_SKIN"),
     (MESH_OT_fairmesh_fill_holes, "MESH_DATA"),
 )
+
+
+# What is beside a line in a box of the sidebar, in pixels: the tabs, margins and an icon.
+BESIDE = 90
 
 
 class _Sidebar:
@@ -53,11 +58,39 @@ class VIEW3D_PT_fairmesh(_Sidebar, bpy.types.Panel):
             row.operator("mesh.fairmesh_hide_curvature", text="", icon="X")
         if context.mode != "EDIT_MESH":
             column.label(text="Fairing: in Edit mode")
-        last = found.last(context) if context.mode == "EDIT_MESH" else None
-        if last is not None:
-            column.separator()
-            column.label(text=f"Last run: {last.what}")
-            column.operator("mesh.fairmesh_select_found", icon="RESTRICT_SELECT_OFF")
+        if found.said(context):
+            _draw_said(column.box().column(align=True), context)
+
+
+def _draw_said(column, context):
+    """The whole of what the last run said, and what can be selected."""
+    column.label(text="Last run")
+    lines = column.column(align=True)
+    lines.scale_y = 0.75
+    for is_good, text in found.said(context):
+        icon = "CHECKMARK" if is_good else "ERROR"
+        for line in wrapped(text, context):
+            lines.label(text=line, icon=icon)
+            icon = "BLANK1"
+    last = found.last(context)
+    if last is not None:
+        column.separator()
+        column.label(text=last.what)
+        column.operator("mesh.fairmesh_select_found", icon="RESTRICT_SELECT_OFF")
+
+
+def wrapped(text, context):
+    """The lines of a text in a box of the sidebar, beside an icon."""
+    scale = context.preferences.system.ui_scale
+    blf.size(0, scale * context.preferences.ui_styles[0].widget.points)
+    room, lines = context.region.width - BESIDE * scale, [""]
+    for word in text.split():
+        longer = f"{lines[-1]} {word}".strip()
+        if lines[-1] and blf.dimensions(0, longer)[0] > room:
+            lines.append(word)
+        else:
+            lines[-1] = longer
+    return lines
 
 
 class _Options(_Sidebar):

@@ -66,6 +66,7 @@ def steps():
     yield from escape()
     yield from escape_from_a_busy_library()
     yield from small_region()
+    yield from whole_message()
     yield from curvature()
     yield from disabled_in_mid_run()
 
@@ -200,6 +201,27 @@ def small_region():
     second = common.coordinates(bpy.data.objects[name])
     assert not np.array_equal(first, second), "the other option changes nothing"
     assert common.radial_error(bpy.data.objects[name], free) < 1e-5
+
+
+def whole_message():
+    """All that the last run has said stands in the sidebar, in lines that fit it, and what it named can be selected."""
+    common.clear()
+    obj = common.irregular_sphere(16)
+    common.delete_faces(obj, lambda face: face.calc_center_median().z > 0.3)
+    common.select_boundary(obj)
+    assert call(bpy.ops.mesh.fairmesh_fill_holes, max_iterations=1) == {"FINISHED"}
+    # The panels below move down first.
+    for step in range(10):
+        window.move(window.sidebar().x + 50 + step, window.sidebar().y + 300)
+        yield 0.2
+    picture("last_run")
+    ((_, text),) = part("found").said(bpy.context)
+    with bpy.context.temp_override(**{**view(), "region": window.sidebar()}):
+        lines = part("panel").wrapped(text, bpy.context)
+    assert " ".join(lines) == text and "64 at most" in lines[-1] + lines[-2] and len(lines) > 5, lines
+    blf.size(0, 11.0)
+    widest = max(blf.dimensions(0, line)[0] for line in lines)
+    assert widest <= window.sidebar().width - part("panel").BESIDE, widest
 
 
 def curvature():

@@ -43,8 +43,6 @@ def test_components_are_counted_where_some_are_not_fair():
             iterations=5,
             reached=1.0,
             member_weight=0.5,
-            text="text",
-            remedy="remedy",
         )
         return part("messages").faired(worst)
 
@@ -52,9 +50,10 @@ def test_components_are_counted_where_some_are_not_fair():
     assert told(good, good) == ("INFO", "9 vertices faired in 5 iterations")
     assert told(bad) == (
         "WARNING",
-        "9 vertices faired in 5 iterations: text. Select more, set Tangents to Averaged, or use Erase and Fill",
+        "9 vertices faired in 5 iterations: no sound surface was found; that of least bending is written. "
+        "Select more, set Tangents: Averaged, or use Erase and Fill",
     )
-    assert told(outcome.NEAREST_MEMBER)[1].endswith(". Remedy")
+    assert "towards Shape: Elastic Sheet" in told(outcome.NEAREST_MEMBER)[1]
     kind, text = told(good, good, bad)
     assert kind == "WARNING" and "(2 of 3 separate parts are fair; one that is not is at vertex 20)" in text
 
@@ -189,7 +188,7 @@ def test_faces_that_intersect_are_told_and_can_be_selected():
     report, kind, text = last_run()
     assert report.outcome == "self_intersecting", report.outcome
     assert kind == "WARNING" and f"({report.intersection_count} pairs, 0 before" in text
-    assert "Look at these triangles" in text
+    assert "Look at these faces" in text
     assert bpy.ops.mesh.fairmesh_select_found() == {"FINISHED"}
     chosen = [f for f in bmesh.from_edit_mesh(obj.data).faces if f.select]
     assert 3 <= len(chosen) < 20
@@ -588,7 +587,7 @@ def test_nothing_selected():
 def test_nothing_fixed():
     obj, _ = dented()
     bpy.ops.mesh.select_all(action="SELECT")
-    refused(obj, obj.name, "vertex", "The mesh is unchanged", "Leave some of its vertices out")
+    refused(obj, obj.name, "Vertex", "The mesh is unchanged", "Deselect some of its vertices")
 
 
 def test_a_third_face_at_an_edge_is_named_and_can_be_selected():
@@ -600,7 +599,7 @@ def test_a_third_face_at_an_edge_is_named_and_can_be_selected():
     mesh.verts.index_update()
     ends = sorted(v.index for v in edge.verts)
     bmesh.update_edit_mesh(obj.data)
-    refused(obj, f"edge of vertices {ends[0]} and {ends[1]} of {obj.name}", "Repair the mesh there")
+    refused(obj, f"Edge of vertices {ends[0]} and {ends[1]} of {obj.name}", "Repair the mesh there")
     assert bpy.ops.mesh.fairmesh_select_found() == {"FINISHED"}
     assert [v.index for v in bmesh.from_edit_mesh(obj.data).verts if v.select] == ends
     # After a change the numbers mean nothing any more.
@@ -616,7 +615,7 @@ def test_a_turned_face_is_named():
     face = next(f for f in mesh.faces if f.select and f.calc_center_median().xy.length < 0.3)
     face.normal_flip()
     bmesh.update_edit_mesh(obj.data)
-    refused(obj, "edge of vertices", "Recalculate Outside")
+    refused(obj, "Edge of vertices", "Recalculate Outside")
 
 
 def test_coordinates_that_are_no_numbers():
@@ -625,8 +624,7 @@ def test_coordinates_that_are_no_numbers():
     mesh.verts.ensure_lookup_table()
     mesh.verts[int(free[5])].co.x = np.nan
     bmesh.update_edit_mesh(obj.data)
-    message = runner.raises(fair, f"vertex {free[5]} of {obj.name}", "Repair the vertex")
-    assert message.count("vertex") >= 1
+    runner.raises(fair, f"Vertex {free[5]} of {obj.name}", "Repair the vertex")
 
 
 def test_undo_and_redo():
