@@ -29,6 +29,8 @@ export class Dragging {
     readonly handles: Handles;
     /** Whether curvature is to be seen while dragging. */
     readonly #look: () => { meanCurvature: boolean };
+    /** An arrow has been taken by hand. */
+    taken: () => void = () => undefined;
     #shown: Live | null = null;
     #drag: Drag | null = null;
     /** While the last digits are found the boundary can be taken again. */
@@ -215,8 +217,31 @@ export class Dragging {
             angle: turned !== undefined && "angle" in turned ? turned.angle : 0,
             translation: moved?.kind === "move" ? [...(moved.translation ?? [0, 0, 0])] : [0, 0, 0],
         };
+        this.taken();
         this.refresh();
         return true;
+    }
+
+    /** Shows the one arrow that is seen best, and the others quietly; false where there is none. */
+    invite(): boolean {
+        const best = this.handles.best(this.#model.surface);
+        if (best === null) return false;
+        select("loop").value = String(best.loop);
+        input("handle").value = String(best.number + 1);
+        this.handles.isInviting = true;
+        this.refresh();
+        return true;
+    }
+
+    /** All arrows are alike again. */
+    invited(): void {
+        this.handles.isInviting = false;
+        this.refresh();
+    }
+
+    /** Turns the arrow that the sliders mean. */
+    turn(angle: number): void {
+        if (this.#model.live !== null) this.#set(this.#turned(this.#grip(), angle));
     }
 
     /** The pointer has moved. */

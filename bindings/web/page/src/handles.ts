@@ -1,6 +1,7 @@
 /** Arrows on the boundary of the region: they stand on it as the tangent planes do, and are dragged. */
 
 import { ConeGeometry, CylinderGeometry, type Group, Mesh, MeshBasicMaterial, Quaternion, SphereGeometry, Vector2, Vector3 } from "three";
+import { element } from "./page.js";
 import type { LoopVertex, Surface } from "./surface.js";
 import type { Viewer } from "./viewer.js";
 
@@ -8,6 +9,8 @@ import type { Viewer } from "./viewer.js";
 export const SIZE = 0.09;
 /** The sine of the largest angle: no surface follows further. */
 const MOST = 0.98;
+/** The size of the others while one invites. */
+const QUIET = 0.5;
 /** How many arrows a loop has, at most. */
 export const ARROWS = 8;
 
@@ -36,9 +39,21 @@ export class Handles {
     readonly #active = new MeshBasicMaterial({ color: 0xd9730d });
     readonly #held = new MeshBasicMaterial({ color: 0xb3126b });
     #arrows: Arrow[] = [];
+    /** Whether the one arrow that the sliders mean stands out, with a ring around its tip. */
+    isInviting = false;
+    #invited: Arrow | null = null;
 
     constructor(viewer: Viewer) {
         this.#viewer = viewer;
+        viewer.drawn = () => this.#ring();
+    }
+
+    #ring(): void {
+        element("invite").hidden = this.#invited === null;
+        if (this.#invited === null) return;
+        const { left, top } = this.#viewer.canvas.getBoundingClientRect();
+        const { x, y } = this.#viewer.project(this.#invited.tip);
+        element("invite").style.translate = `${x - left}px ${y - top}px`;
     }
 
     /** Draws them; `held` is the number of the arrow of the active loop that the sliders mean. */
@@ -47,19 +62,23 @@ export class Handles {
         group.clear();
         const size = SIZE * surface.diagonal;
         this.#arrows = [];
+        this.#invited = null;
         loops.forEach((loop, number) =>
             gripped(loop).forEach((grip, k) => {
                 const foot = surface.vertex(grip.vertex);
                 const angle = angleAt(number, grip);
                 const direction = grip.normal.clone().multiplyScalar(Math.cos(angle)).addScaledVector(grip.inward, -Math.sin(angle));
-                this.#arrows.push({ loop: number, grip, foot, tip: foot.clone().addScaledVector(direction, size) });
+                const arrow = { loop: number, grip, foot, tip: foot.clone().addScaledVector(direction, size) };
+                this.#arrows.push(arrow);
+                const isMeant = number === active && k === held;
+                if (this.isInviting && isMeant) this.#invited = arrow;
                 const paint = number !== active ? this.#idle : k === held ? this.#held : this.#active;
                 const turn = new Quaternion().setFromUnitVectors(UP, direction.normalize());
                 for (const shape of [SHAFT, HEAD, BALL]) {
                     const mesh = new Mesh(shape, paint);
                     mesh.position.copy(foot);
                     mesh.quaternion.copy(turn);
-                    mesh.scale.setScalar(size);
+                    mesh.scale.setScalar(this.isInviting && !isMeant ? QUIET * size : size);
                     group.add(mesh);
                 }
             }),
@@ -69,6 +88,7 @@ export class Handles {
 
     clear(): void {
         this.#arrows = [];
+        this.#invited = null;
         this.#viewer.handles.clear();
         this.#viewer.draw();
     }
@@ -87,6 +107,22 @@ export class Handles {
         if (best === null) return null;
         const number = this.#arrows.filter(({ loop }) => loop === best.loop).indexOf(best);
         return { loop: best.loop, number, grip: best.grip, foot: best.foot };
+    }
+
+    /** The arrow that is seen best: nothing stands before it, and a drag outward is longest in the picture. */
+    best(surface: Surface): { loop: number; number: number } | null {
+        const size = SIZE * surface.diagonal;
+        let [best, longest]: [Arrow | null, number] = [null, 0];
+        for (const arrow of this.#arrows) {
+            const tip = this.#viewer.project(arrow.tip);
+            const hit = surface.hit(this.#viewer.ray(tip.x, tip.y).ray);
+            const eye = this.#viewer.camera.position;
+            if (hit !== null && hit.point.distanceTo(eye) < arrow.tip.distanceTo(eye) - 0.1 * size) continue;
+            const outward = this.#viewer.project(arrow.foot.clone().addScaledVector(arrow.grip.inward, -size));
+            const length = outward.distanceTo(this.#viewer.project(arrow.foot));
+            if (length > longest) [best, longest] = [arrow, length];
+        }
+        return best && { loop: best.loop, number: this.#arrows.filter(({ loop }) => loop === best.loop).indexOf(best) };
     }
 
     /** Where the tips are in the window, for tests. */

@@ -8,6 +8,7 @@ import { Model } from "./model.js";
 import { choose, chosen, element, input, label, onChoice, options, say, select, told } from "./page.js";
 import { Pointer } from "./pointer.js";
 import { scaleOf, type Shading } from "./shading.js";
+import { Story } from "./story.js";
 import { Viewer } from "./viewer.js";
 import { isBusy, work } from "./work.js";
 
@@ -31,6 +32,7 @@ class Page {
     readonly #viewer: Viewer;
     readonly #dragging: Dragging;
     readonly #pointer: Pointer;
+    readonly #story: Story;
     #scale = 1;
     #isCurvatureShown = false;
     /** What the colours and the lists were made for. */
@@ -43,6 +45,8 @@ class Page {
         this.#viewer = new Viewer(element<HTMLCanvasElement>("canvas"), () => this.#remember());
         this.#dragging = new Dragging(model, this.#viewer, () => ({ meanCurvature: this.#isCurvatureShown }));
         this.#pointer = new Pointer(model, this.#viewer, this.#dragging);
+        this.#story = new Story(this.#dragging);
+        this.#dragging.taken = () => this.#story.end(true);
         model.changed = () => this.#changed();
         this.#listen();
         (window as unknown as { fairmesh: Hook }).fairmesh = {
@@ -103,9 +107,18 @@ class Page {
         if (text !== "" && text === this.#written) return;
         const state = text === "" ? null : await fromText(text);
         if (state === null) {
-            await this.#take("blend");
+            await this.#welcome();
             if (text !== "") say("The link is damaged: here is the first shape.", true);
         } else await this.#resume(state);
+    }
+
+    /** The first shape, faired already, with an arrow that invites. */
+    async #welcome(): Promise<void> {
+        await this.#model.take("blend");
+        this.#begun("blend");
+        await this.#model.fair({});
+        say("Drag an arrow: the surface follows. Or choose another shape, or open a file of your own.");
+        this.#story.begin();
     }
 
     async #resume(state: State): Promise<void> {

@@ -22,8 +22,9 @@ export function launched(name = "chrome", more = []) {
 }
 
 /** Opens the page; whatever it throws, and whatever it asks of the network, is kept. */
-export async function opened(browser, { viewport = USUAL, hash = "" } = {}) {
+export async function opened(browser, { viewport = USUAL, hash = "", isStoryTold = false, features = [] } = {}) {
     const page = await browser.newPage();
+    await page.emulateMediaFeatures(features);
     const seen = { errors: [], requests: [] };
     page.on("pageerror", (why) => seen.errors.push(why.message));
     page.on("request", (request) => seen.requests.push(request.url()));
@@ -31,7 +32,10 @@ export async function opened(browser, { viewport = USUAL, hash = "" } = {}) {
     const start = performance.now();
     await page.goto(ADDRESS + hash, { waitUntil: "commit" }).catch(() => page.goto(ADDRESS + hash));
     await page.waitForFunction("document.documentElement.dataset.ready === 'yes'", { timeout: 30_000 });
-    return { page, seen, seconds: (performance.now() - start) / 1000 };
+    const seconds = (performance.now() - start) / 1000;
+    if (!isStoryTold) await page.keyboard.press("Shift");
+    if (!isStoryTold) await page.waitForFunction("!fairmesh.isBusy()");
+    return { page, seen, seconds };
 }
 
 /** What the page says, once nothing is under way. */
