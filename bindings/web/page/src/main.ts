@@ -5,6 +5,7 @@ import { SHAPES, type ShapeName } from "./embedded.js";
 import { type Format, readMesh, save, written } from "./files.js";
 import { fromText, maskOf, runsOf, type State, toText } from "./link.js";
 import { Model } from "./model.js";
+import type { Part } from "./parts.js";
 import { choose, chosen, element, input, label, onChoice, options, say, select, told } from "./page.js";
 import { Pointer } from "./pointer.js";
 import { scaleOf, type Shading } from "./shading.js";
@@ -38,6 +39,7 @@ class Page {
     /** What the colours and the lists were made for. */
     #coloured: unknown = null;
     #listed: unknown = null;
+    #told: unknown = null;
     #linking: ReturnType<typeof setTimeout> | undefined;
 
     constructor(model: Model) {
@@ -232,9 +234,32 @@ class Page {
         this.#swipe();
         this.#dragging.refresh();
         this.#pointer.mark();
+        this.#tell();
         if (this.#coloured !== surface) void this.#shade();
         if (this.#listed !== surface) void this.#list();
         this.#remember();
+    }
+
+    /** What has become of each part, where there are several: a click chooses one. */
+    #tell(): void {
+        const { parts } = this.#model;
+        if (this.#told === parts) return;
+        this.#told = parts;
+        element("parts").hidden = parts.length < 2;
+        element("parts").replaceChildren(...(parts.length < 2 ? [] : parts.map((part) => this.#line(part))));
+    }
+
+    #line({ name, says, isGood, triangles }: Part): HTMLElement {
+        const [line, button] = [document.createElement("li"), document.createElement("button")];
+        Object.assign(button, { type: "button", textContent: name, disabled: triangles === null, title: "Choose it as the region" });
+        button.addEventListener("click", () => {
+            if (isBusy() || triangles === null) return;
+            this.#model.choose(triangles.slice());
+            say(`${name} is the region: ${says}.`, !isGood);
+        });
+        line.append(button, ` ${isGood ? "fair and sound" : says}`);
+        line.classList.toggle("bad", !isGood);
+        return line;
     }
 
     /** The holes that can be joined. */

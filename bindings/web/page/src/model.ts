@@ -1,9 +1,11 @@
 /** What is worked on: a surface with a region, the steps that made it, and the solver that is live. No controls, no drawing. */
 
-import { createWorker, type Edit, type FairmeshWorker, type Watched, type WorkerSolver } from "../../src/index.js";
+import { createWorker, type Edit, type FairmeshWorker, type Report, type Watched, type WorkerSolver } from "../../src/index.js";
 import { module, type Shape, shape as embedded, type ShapeName, startWorker } from "./embedded.js";
 import { maskOf, runsOf, type Step } from "./link.js";
+import { type Part, partsOfHoles, partsOfRegion, saysOf, summed } from "./parts.js";
 import { lengthOf, type LoopVertex, moving, type Normals, regionLoops, Surface, type Triangles, trianglesAt, verticesOf } from "./surface.js";
+import { worded } from "./words.js";
 
 /** A solver that is held up at a fair surface, and what it was asked since. */
 export interface Live {
@@ -42,6 +44,8 @@ export class Model {
     shape: ShapeName | null = null;
     steps: Step[] = [];
     live: Live | null = null;
+    /** What the last step has come to, one by one. */
+    parts: Part[] = [];
     /** Frames shown since the page was loaded. */
     frames = 0;
     /** Other triangles, positions or another region: what is seen is out of date. */
@@ -73,6 +77,7 @@ export class Model {
         this.before?.free();
         this.surface = new Surface(mesh);
         this.before = before && new Surface(before);
+        this.parts = [];
         this.mark();
     }
 
@@ -154,12 +159,20 @@ export class Model {
             this.steps.push({ kind: "fair", region: runsOf(this.region), edits: [] });
             const found = regionLoops(free, this.surface, this.#held);
             this.live = { solver: asked, loops: found, lengths: found.map((loop) => lengthOf(loop, this.surface)), edits: [], range: null };
+            this.parts = await this.#partsOf(report, free);
             this.changed();
-            return `${report.freeVertices.toLocaleString("en")} vertices, ${report.iterations} iterations: ${report.text}${report.remedy && `. ${report.remedy}`}`;
+            const { freeVertices, iterations } = report;
+            return `${freeVertices.toLocaleString("en")} vertices, ${iterations} iterations: ${this.parts.length > 1 ? summed(this.parts) : saysOf(report)}`;
         } catch (why) {
             void asked.close().catch(() => undefined);
             throw why;
         }
+    }
+
+    async #partsOf({ components }: Report, free: Uint8Array): Promise<Part[]> {
+        const names = components.map(({ outcome, looseReason }) => (outcome === "converged_loosely" ? (["looseReason", looseReason] as const) : (["outcome", outcome] as const)));
+        const told = await Promise.all(names.map(async ([kind, name]) => worded(name, (await this.#worker.describe(kind, name)).text)));
+        return partsOfRegion(components, free, this.surface.triangles, (of) => told[components.indexOf(of)]!);
     }
 
     /** The shape's own normals, where they are at the boundary of the region. Where a boundary was moved they are no longer right. */
@@ -180,13 +193,15 @@ export class Model {
         const mesh = this.mesh;
         const choice = joined === null ? await this.#gaps() : { loops: joined, join: [joined] };
         const filled = await this.#worker.fillHoles(mesh, { ...choice, ...watched });
-        const done = filled.loops.filter(({ triangleCount }) => triangleCount > 0);
-        const open = filled.loops.find(({ triangleCount }) => triangleCount === 0);
-        if (done.length === 0) return open === undefined ? "no hole was found" : `${open.text}${open.remedy && `. ${open.remedy}`}`;
-        this.#replace(filled, joined === null ? { kind: "fill" } : { kind: "join", loops: joined });
-        const worst = open ?? done.find(({ report }) => report?.isSuccess === false) ?? done[0]!;
-        const says = worst.report?.text ?? worst.text;
-        return `${done.length} of ${filled.loops.length} filled by ${filled.newTriangleCount.toLocaleString("en")} triangles: ${says}`;
+        const asked = filled.loops.filter(({ reason }) => reason !== "not_asked_for");
+        if (asked.length === 0) return "no hole was found";
+        const done = asked.filter(({ triangleCount }) => triangleCount > 0).length;
+        const parts = partsOfHoles(asked, filled.triangles.length / 3);
+        if (done > 0) this.#replace(filled, joined === null ? { kind: "fill" } : { kind: "join", loops: joined });
+        this.parts = parts;
+        this.changed();
+        const by = done === 0 ? "" : ` by ${filled.newTriangleCount.toLocaleString("en")} triangles`;
+        return `${done} of ${asked.length} filled${by}: ${summed(parts)}`;
     }
 
     /** Holes; where there are none, the one boundary that there is. */
@@ -202,13 +217,12 @@ export class Model {
         return `erased, and filled by ${made.newTriangleCount.toLocaleString("en")} triangles`;
     }
 
-    /** Other triangles, of which the last ones are new: they are the region now. */
+    /** Other triangles, of which the last ones are new: no region, so that what is painted next is one by itself. The list of parts has the patches. */
     #replace(made: Triangles & { newTriangleCount: number }, step: Step): void {
         this.#remember();
         this.end();
         const before = this.mesh;
-        const count = made.triangles.length / 3;
-        this.region = new Uint8Array(count).fill(1, count - made.newTriangleCount);
+        this.region = new Uint8Array(made.triangles.length / 3);
         this.steps.push(step);
         // Vertices of a mesh that was refilled have other numbers.
         if (step.kind === "refill") this.#held = this.normals = null;
@@ -264,7 +278,7 @@ export class Model {
         if (mine !== this.#edition) return "other edits have come";
         this.surface.move(positions);
         this.changed();
-        return `${report.text}${report.remedy && `. ${report.remedy}`}`;
+        return saysOf(report);
     }
 
     async bulgeRange(watched: Watched): Promise<{ low: number; high: number }> {

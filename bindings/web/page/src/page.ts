@@ -1,5 +1,7 @@
 /** The controls of the page, by their ids, and what it says. */
 
+import { worded } from "./words.js";
+
 /** An element that the page has. */
 export function element<T extends HTMLElement>(id: string): T {
     return document.getElementById(id) as T;
@@ -17,8 +19,9 @@ export function say(text: string, isBad = false): void {
 
 /** An error with what can be done about it, as one text. */
 export function told(why: unknown): string {
-    const { message, remedy } = why as { message?: string; remedy?: string };
+    const { message, remedy, status } = why as { message?: string; remedy?: string; status?: string };
     const sentence = (text: string) => text.charAt(0).toUpperCase() + text.slice(1).replace(/\.$/, "") + ".";
+    if (status !== undefined) return sentence(worded(status, message!.split(";")[0]!));
     return sentence(message ?? String(why)) + (remedy ? ` ${sentence(remedy)}` : "");
 }
 

@@ -52,3 +52,11 @@ export function fin() {
     const line = (what) => (numbers) => `${what} ${numbers.join(" ")}\n`;
     return [...places, [2, 2, 1]].map(line("v")).join("") + [...faces, [at(1, 2), at(2, 2), 26]].map(line("f")).join("");
 }
+
+/** The open sphere with so many holes more, of one triangle and those around its corners each. */
+export function sieve(holes, rings = 24, around = 36) {
+    const facets = openSphere(rings, around).split("facet normal").slice(1);
+    const at = (k) => 2 * (around * (4 + 5 * (k % 3)) + Math.floor((around * Math.floor(k / 3)) / Math.ceil(holes / 3)) + 2 * (k % 3));
+    const gone = new Set(Array.from({ length: holes }, (_, k) => [0, 1, 2, 3].map((t) => at(k) + t)).flat());
+    return `solid sieve\n${facets.filter((_, t) => !gone.has(t)).map((facet) => `facet normal${facet}`).join("").replace("endsolid sphere\n", "")}endsolid sieve\n`;
+}

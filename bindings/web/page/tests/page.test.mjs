@@ -6,17 +6,13 @@ import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 import { ADDRESS, DESKTOP, difference, drag, launched, offSphere, opened, PHONE, positions, press, said, saved, settled, take, triangles } from "./browser.mjs";
 import { BAD, file, fin, openSphere } from "./files.mjs";
+import { chosen, middle, radio, upload } from "./hands.mjs";
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 let browser;
 before(async () => (browser = await launched()));
 after(() => browser.close());
 
-const upload = async (page, path) => {
-    await (await page.$("#file")).uploadFile(path);
-    await page.waitForFunction("!document.querySelector('#status').textContent.endsWith('…')");
-    return said(page);
-};
 /** Drops a file on the page. */
 const dropped = async (page, name, content) => {
     await page.evaluate((name, content) => {
@@ -27,7 +23,6 @@ const dropped = async (page, name, content) => {
     await page.waitForFunction("/triangles, /.test(document.querySelector('#status').textContent)");
     return said(page);
 };
-const radio = (page, name, value) => page.$eval(`input[name=${name}][value=${value}]`, (button) => button.click());
 /** Numbers of the lines of a PLY file behind its header. */
 const vertices = (bytes) => {
     const [head, body] = bytes.toString().split("end_header\n");
@@ -110,7 +105,7 @@ test("the curves of the tetra thing stay where they are, and are dragged as boun
     const { page } = await opened(browser);
     await take(page, "tetra");
     const before = await positions(page);
-    assert.match(await press(page, "fair"), /^Faired: 4,812 vertices, \d+ iterations: tolerance met, and the surface is sound\.$/);
+    assert.match(await press(page, "fair"), /^Faired: 4,812 vertices, \d+ iterations: all 4: tolerance met, and the surface is sound\.$/);
     const fair = await positions(page);
     const stay = Array.from({ length: fair.length / 3 }, (_, v) => [0, 1, 2].every((c) => fair[3 * v + c] === before[3 * v + c]));
     assert.equal(stay.filter(Boolean).length, 228, "six circles of 38");
@@ -133,7 +128,7 @@ test("bad files are answered by what is wrong and what can be done, and the surf
     // The library's own message, with its advice.
     await upload(page, file("fin.obj", fin()));
     await press(page, "all");
-    assert.match(await press(page, "fair"), /^Edge \(\d+, \d+\) has more than two triangles.*\. Repair the mesh there, or choose a region away from it\.$/);
+    assert.match(await press(page, "fair"), /^Edge \(\d+, \d+\) has more than two triangles.*\. “Unpaint” the triangles there, or repair the file\.$/);
     assert.deepEqual(seen.errors, []);
     await page.close();
 });
@@ -142,13 +137,11 @@ test("an own STL file becomes one surface, which is painted, lassoed, filled and
     const { page } = await opened(browser);
     assert.match(await dropped(page, "sphere.stl", openSphere()), /^Sphere\.stl: 768 triangles, 2 boundaries/i);
     assert.equal((await positions(page)).length / 3, 17 * 24, "corners at one place are one vertex");
-    const chosen = () => page.evaluate("fairmesh.region().reduce((sum, x) => sum + x, 0)");
     assert.match(await press(page, "fair"), /No region is chosen/);
-    const { x, y, width, height } = await page.$eval("#canvas", (canvas) => canvas.getBoundingClientRect().toJSON());
-    const [u, v] = [x + width / 2, y + height / 2];
+    const [u, v] = await middle(page);
     await radio(page, "tool", "paint");
     await page.mouse.click(u, v);
-    const painted = await chosen();
+    const painted = await chosen(page);
     assert.ok(painted > 5 && painted < 300, String(painted));
     await page.$eval("#grow", (button) => button.click());
     await page.waitForFunction((before) => fairmesh.region().reduce((sum, x) => sum + x, 0) > before, {}, painted);
@@ -158,7 +151,7 @@ test("an own STL file becomes one surface, which is painted, lassoed, filled and
     await page.mouse.down();
     for (const [a, b] of [[90, -90], [90, 90], [-90, 90]]) await page.mouse.move(u + a, v + b, { steps: 4 });
     await page.mouse.up();
-    const lassoed = await chosen();
+    const lassoed = await chosen(page);
     assert.ok(lassoed > 10 && lassoed < 300, `${lassoed}: the far side is not taken`);
     assert.match(await press(page, "fair"), /^Faired: /);
     assert.match(await press(page, "fill"), /^Holes: 2 of 2 filled/);
