@@ -37,6 +37,7 @@ export class Dragging {
     #isSettling = false;
     #isSettledAgain = false;
     #soon: ReturnType<typeof setTimeout> | undefined;
+    #settling: Promise<void> = Promise.resolve();
 
     constructor(model: Model, viewer: Viewer, look: () => { meanCurvature: boolean }) {
         [this.#model, this.#viewer, this.#look] = [model, viewer, look];
@@ -123,10 +124,22 @@ export class Dragging {
         }, REST);
     }
 
+    /** What was dragged, to the last digit, before something else is done with it. */
+    async rest(): Promise<void> {
+        if (this.#soon === undefined) return this.#settling;
+        clearTimeout(this.#soon);
+        this.#soon = undefined;
+        return this.settle();
+    }
+
     /** After the hand has let go: the surface to the last digit; once more, if it was let go again meanwhile. */
     async settle(): Promise<void> {
         if (this.#isSettling) this.#isSettledAgain = true;
-        if (this.#model.live === null || isBusy()) return;
+        if (this.#model.live === null || isBusy()) return this.#settling;
+        return (this.#settling = this.#settle());
+    }
+
+    async #settle(): Promise<void> {
         this.#isSettling = true;
         do {
             this.#isSettledAgain = false;
@@ -203,7 +216,12 @@ export class Dragging {
         return angle;
     }
 
-    /** Whether the pointer has taken an arrow; it does so before it turns the view. */
+    /** Whether there is an arrow under the pointer. */
+    isAt(place: Vector2): boolean {
+        return this.#model.live !== null && this.handles.at(place, 12) !== null;
+    }
+
+    /** Whether the pointer has taken an arrow; it does so before it turns the view, or paints. */
     take(place: Vector2, isTouch: boolean): boolean {
         if (this.#model.live === null || this.#isBlocked) return false;
         const found = this.handles.at(place, isTouch ? 26 : 12);

@@ -199,6 +199,7 @@ class Page {
     }
 
     async #spread(kind: "grow" | "shrink"): Promise<void> {
+        await this.#dragging.rest();
         if (isBusy()) return;
         try {
             await this.#model.spread(kind);
@@ -208,7 +209,8 @@ class Page {
         }
     }
 
-    #choose(value: 0 | 1): void {
+    async #choose(value: 0 | 1): Promise<void> {
+        await this.#dragging.rest();
         if (isBusy()) return;
         this.#model.choose(new Uint8Array(this.#model.region.length).fill(value));
         say(value === 1 ? "All triangles are chosen." : "No triangle is chosen.");

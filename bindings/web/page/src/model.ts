@@ -23,6 +23,9 @@ interface Snapshot extends Triangles {
     normals: Normals | null;
     held: Uint8Array | null;
     steps: Step[];
+    carried: Edit[];
+    /** What was live when another region was chosen: its arrows come back. */
+    live: Live | null;
 }
 
 /** Evaluations of the residual for a frame: a settled surface takes one to three iterations from the last one. */
@@ -44,6 +47,10 @@ export class Model {
     shape: ShapeName | null = null;
     steps: Step[] = [];
     live: Live | null = null;
+    /** Turns of boundaries that stay in force where these are boundaries of the next region, too. */
+    #carried: Edit[] = [];
+    /** What is no longer live, but may be again. */
+    #paused: Live | null = null;
     /** What the last step has come to, one by one. */
     parts: Part[] = [];
     /** Frames shown since the page was loaded. */
@@ -90,7 +97,7 @@ export class Model {
     #begin(mesh: Triangles, region: Uint8Array, normals: Normals | null, shape: ShapeName | null): void {
         this.end();
         this.#held = null;
-        [this.region, this.normals, this.shape, this.steps, this.#snapshots] = [region, normals, shape, [], []];
+        [this.region, this.normals, this.shape, this.steps, this.#snapshots, this.#carried] = [region, normals, shape, [], [], []];
         this.#show(mesh, null);
     }
 
@@ -110,10 +117,14 @@ export class Model {
         return length;
     }
 
-    /** Another region: what was live is done with. */
+    /** Another region: the surface stays as it was dragged, and what was live waits for Undo. The same region again changes nothing. */
     choose(region: Uint8Array): void {
-        this.#remember();
-        this.end();
+        if (region.every((is, t) => is === this.region[t])) return this.mark();
+        this.#remember(this.live);
+        if (this.live !== null) {
+            this.#carry();
+            [this.#paused, this.live] = [this.live, null];
+        }
         this.region = region;
         this.mark();
     }
@@ -122,16 +133,27 @@ export class Model {
         this.choose(await this.#worker[kind](this.mesh, this.region));
     }
 
-    #remember(): void {
-        const { surface, region, normals, steps } = this;
-        this.#snapshots.push({ positions: surface.positions, triangles: surface.triangles, region: region.slice(), normals, held: this.#held, steps: structuredClone(steps) });
+    #remember(live: Live | null = null): void {
+        const { positions, triangles } = this.surface;
+        const { region, normals, steps } = this;
+        this.#snapshots.push({ positions, triangles, region: region.slice(), normals, held: this.#held, steps: structuredClone(steps), carried: this.#carried, live });
         if (this.#snapshots.length > 30) this.#snapshots.shift();
     }
 
-    /** Ends what is live; the surface stays. */
+    /** Ends what is live, or could be again; the surface stays. */
     end(): void {
-        void this.live?.solver.close().catch(() => undefined);
-        this.live = null;
+        for (const live of [this.live, this.#paused]) void live?.solver.close().catch(() => undefined);
+        this.live = this.#paused = null;
+    }
+
+    /** Keeps the turns that are in force, as turns of loops. What was moved has moved. */
+    #carry(): void {
+        if (this.live === null) return;
+        const { edits, loops } = this.live;
+        this.#carried = edits.flatMap((edit): Edit[] => {
+            if (edit.kind === "bulge") return loops.map((loop) => ({ kind: "tilt", vertex: loop[0]!.vertex, angle: edit.amount, falloff: 0 }));
+            return edit.kind === "move" ? [] : [edit];
+        });
     }
 
     /** Takes back the last edit, or the last step. */
@@ -139,8 +161,11 @@ export class Model {
         if (this.live !== null && this.live.edits.length > 0) return this.edit(this.live.edits.slice(0, -1));
         const last = this.#snapshots.pop();
         if (last === undefined) return;
+        const live = last.live === this.#paused ? last.live : null;
+        if (live !== null) this.#paused = null;
         this.end();
-        [this.region, this.normals, this.#held, this.steps] = [last.region, last.normals, last.held, last.steps];
+        this.live = live;
+        [this.region, this.normals, this.#held, this.steps, this.#carried] = [last.region, last.normals, last.held, last.steps, last.carried];
         this.#show(last, null);
     }
 
@@ -150,15 +175,19 @@ export class Model {
         const free = moving(this.region, mesh, this.#held);
         const loops = regionLoops(free, this.surface, this.#held);
         const asked = await this.#worker.solver(mesh, free, { ...this.#given(loops), ...watched });
+        this.#carry();
+        const boundary = new Set(loops.flat().map(({ vertex }) => vertex));
+        const edits = this.#carried.filter((edit) => "vertex" in edit && boundary.has(edit.vertex));
         try {
-            const report = await asked.run(undefined, watched);
+            if (edits.length > 0) await asked.edit(edits);
+            const report = await asked.finish(watched);
             const positions = await asked.positions();
             this.#remember();
             this.end();
             this.#show({ positions, triangles: mesh.triangles }, mesh);
-            this.steps.push({ kind: "fair", region: runsOf(this.region), edits: [] });
+            this.steps.push({ kind: "fair", region: runsOf(this.region), edits });
             const found = regionLoops(free, this.surface, this.#held);
-            this.live = { solver: asked, loops: found, lengths: found.map((loop) => lengthOf(loop, this.surface)), edits: [], range: null };
+            this.live = { solver: asked, loops: found, lengths: found.map((loop) => lengthOf(loop, this.surface)), edits, range: null };
             this.parts = await this.#partsOf(report, free);
             this.changed();
             const { freeVertices, iterations } = report;
@@ -177,7 +206,7 @@ export class Model {
 
     /** The shape's own normals, where they are at the boundary of the region. Where a boundary was moved they are no longer right. */
     #given(loops: readonly LoopVertex[][]): { boundaryNormals?: { vertices: number[]; vectors: number[] } } {
-        if (this.normals === null || this.steps.some((step) => step.kind === "fair" && step.edits.length > 0)) return {};
+        if (this.normals === null || this.steps.some((step) => step.kind === "fair" && step.edits.some(({ kind }) => kind === "move"))) return {};
         const boundary = new Set(loops.flat().map(({ vertex }) => vertex));
         const [vertices, vectors] = [[] as number[], [] as number[]];
         this.normals.vertices.forEach((vertex, k) => {
@@ -220,12 +249,13 @@ export class Model {
     /** Other triangles, of which the last ones are new: no region, so that what is painted next is one by itself. The list of parts has the patches. */
     #replace(made: Triangles & { newTriangleCount: number }, step: Step): void {
         this.#remember();
+        this.#carry();
         this.end();
         const before = this.mesh;
         this.region = new Uint8Array(made.triangles.length / 3);
         this.steps.push(step);
         // Vertices of a mesh that was refilled have other numbers.
-        if (step.kind === "refill") this.#held = this.normals = null;
+        if (step.kind === "refill") [this.#held, this.normals, this.#carried] = [null, null, []];
         this.#show(made, before);
     }
 

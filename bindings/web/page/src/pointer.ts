@@ -50,10 +50,10 @@ export class Pointer {
         if (!event.isPrimary || event.button !== 0) return;
         const place = new Vector2(event.clientX, event.clientY);
         const tool = chosen("tool");
-        if (tool === "look") {
-            this.#viewer.controls.enabled = !this.#dragging.take(place, event.pointerType === "touch");
-            if (this.#viewer.controls.enabled) return;
-        } else if (isBusy()) {
+        // Arrows come first, with every tool.
+        if (this.#dragging.take(place, event.pointerType === "touch")) {
+            this.#viewer.controls.enabled = false;
+        } else if (tool === "look" || (isBusy() && !this.#dragging.isPending)) {
             return;
         } else if (tool === "lasso") {
             this.#lasso = [place];
@@ -69,16 +69,22 @@ export class Pointer {
         const place = new Vector2(event.clientX, event.clientY);
         if (this.#painted !== null) this.#paint(place);
         else if (this.#lasso !== null) this.#draw(place);
-        else this.#dragging.drag(place);
+        else if (!this.#dragging.drag(place)) this.#viewer.canvas.classList.toggle("grab", this.#dragging.isAt(place));
     }
 
     #up(): void {
-        if (this.#painted !== null) this.#model.choose(this.#painted);
+        if (this.#painted !== null) void this.#choose(this.#painted);
         this.#painted = null;
         if (this.#lasso !== null) this.#close(this.#lasso);
         this.#lasso = null;
         this.#dragging.drop();
         this.#viewer.controls.enabled = chosen("tool") === "look";
+    }
+
+    /** Takes a region when what was dragged before is done. */
+    async #choose(region: Uint8Array): Promise<void> {
+        await this.#dragging.rest();
+        this.#model.choose(region);
     }
 
     /** Adds what is under the brush, or takes it away. */
@@ -114,7 +120,7 @@ export class Pointer {
         this.#polygon([]);
         const region = this.#model.region.slice();
         for (const triangle of lassoed(this.#model.surface, this.#viewer, places)) region[triangle] = 1;
-        this.#model.choose(region);
+        void this.#choose(region);
     }
 
     #key(event: KeyboardEvent): void {
