@@ -29,9 +29,9 @@ tests=$target/web/page/tests
 rm -rf "$tests"
 cp -r tests "$tests"
 cd "$tests"
-export LIVE_PAGE=$page
+export LIVE_PAGE=$page LIVE_PACKAGE=$package LIVE_PROGRAM=$target/release/fairmesh
 case $browser in
-chrome) node --test --test-concurrency=1 page.test.mjs story.test.mjs parts.test.mjs hands.test.mjs ;;
+chrome) node --test --test-concurrency=1 page.test.mjs story.test.mjs parts.test.mjs hands.test.mjs words.test.mjs ;;
 firefox) LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1400x1000x24" node --test firefox.test.mjs ;;
 *) echo "page/test.sh PACKAGE [chrome|firefox]" >&2 && exit 1 ;;
 esac

@@ -10,7 +10,7 @@ export type Step =
     | { kind: "fair"; region: Runs; edits: Edit[] }
     | { kind: "fill" }
     | { kind: "join"; loops: [number, number] }
-    | { kind: "refill"; region: Runs };
+    | { kind: "refill" | "remesh"; region: Runs };
 
 /** Lengths of runs of triangles that are not chosen, chosen, not chosen, ... */
 export type Runs = number[];

@@ -11,6 +11,7 @@ import { Pointer } from "./pointer.js";
 import { scaleOf, type Shading } from "./shading.js";
 import { Story } from "./story.js";
 import { Viewer } from "./viewer.js";
+import { REMEDIES } from "./words.js";
 import { isBusy, work } from "./work.js";
 
 /** For tests, and for whoever wants to measure: what is seen, in numbers. */
@@ -25,6 +26,8 @@ interface Hook {
     /** Tips of the arrows in the window. */
     arrows(): { loop: number; x: number; y: number }[];
     edits(): unknown[];
+    /** What the page says that can be done, by the library's names. */
+    remedies: Record<string, string>;
     view(): number[];
 }
 
@@ -59,6 +62,7 @@ class Page {
             isBusy: () => isBusy() || model.isFollowing || this.#dragging.isPending,
             arrows: () => this.#dragging.handles.places(),
             edits: () => model.live?.edits ?? [],
+            remedies: REMEDIES,
             view: () => this.#viewer.view,
         };
     }
@@ -79,6 +83,7 @@ class Page {
         click("fair", () => this.#needing(() => work("Faired", (watched) => this.#model.fair(watched))));
         click("fill", () => work("Holes", (watched) => this.#model.fill(watched, null)));
         click("erase-fill", () => this.#needing(() => work("Region", (watched) => this.#model.refill(watched))));
+        click("remesh", () => this.#needing(() => work("Region", (watched) => this.#model.remesh(watched))));
         click("bridge", () => this.#join());
         click("fit", () => this.#viewer.fit(this.#model.surface));
         onChoice("shading", () => void this.#shade());

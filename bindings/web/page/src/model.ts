@@ -246,6 +246,17 @@ export class Model {
         return `erased, and filled by ${made.newTriangleCount.toLocaleString("en")} triangles`;
     }
 
+    /** Better triangles for the region, which it stays: the surface keeps its shape, and is to be faired next. */
+    async remesh(watched: Watched): Promise<string> {
+        const count = this.region.reduce((sum, is) => sum + is, 0);
+        const made = await this.#worker.remesh(this.mesh, null, { freeTriangles: this.region, ...watched });
+        this.#replace(made, { kind: "remesh", region: runsOf(this.region) });
+        this.region.fill(1, this.region.length - made.newTriangleCount);
+        this.mark();
+        const [from, to] = [count, made.newTriangleCount].map((x) => x.toLocaleString("en"));
+        return `remeshed, from ${from} to ${to} triangles of like size. Fair it next`;
+    }
+
     /** Other triangles, of which the last ones are new: no region, so that what is painted next is one by itself. The list of parts has the patches. */
     #replace(made: Triangles & { newTriangleCount: number }, step: Step): void {
         this.#remember();
@@ -255,7 +266,7 @@ export class Model {
         this.region = new Uint8Array(made.triangles.length / 3);
         this.steps.push(step);
         // Vertices of a mesh that was refilled have other numbers.
-        if (step.kind === "refill") [this.#held, this.normals, this.#carried] = [null, null, []];
+        if (step.kind === "refill" || step.kind === "remesh") [this.#held, this.normals, this.#carried] = [null, null, []];
         this.#show(made, before);
     }
 
@@ -322,6 +333,7 @@ export class Model {
             if ("region" in step) this.region = maskOf(step.region, this.surface.triangles.length / 3);
             if (step.kind === "fill" || step.kind === "join") await this.fill(watched, step.kind === "join" ? step.loops : null);
             if (step.kind === "refill") await this.refill(watched);
+            if (step.kind === "remesh") await this.remesh(watched);
             if (step.kind !== "fair") continue;
             await this.fair(watched);
             if (step.edits.length === 0) continue;
