@@ -19,9 +19,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Literal, TypedDict
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from ._forms import Curvature, HowFar, LoopContinuity, Normals, Target
+    from ._forms import ArrayLike, Curvature, HowFar, LoopContinuity, Normals, Target
 "#;
 
 /// The list of options that Python takes in another form than C: what is to be said of the form, the name, the type, the default.

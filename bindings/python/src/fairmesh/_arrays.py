@@ -6,11 +6,12 @@ import ctypes
 from typing import Any, Literal, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _abi
 from ._enums import Status
 from ._errors import ElementKind, InputError
+from ._forms import ArrayLike
 from ._hosts import Host, Pair
 
 Floats = NDArray[Any]
@@ -76,7 +77,7 @@ def points(given: ArrayLike, name: str, *, rows: int | None = None) -> Floats:
     return array if _readable(array) else _packed(array)
 
 
-def _floats(given: ArrayLike, name: str) -> Floats:
+def _floats(given: ArrayLike | float, name: str) -> Floats:
     """float32 or float64 in native byte order; other real numbers become float64."""
     array = np.asarray(given)
     native = array.dtype.newbyteorder("=")
@@ -87,7 +88,7 @@ def _floats(given: ArrayLike, name: str) -> Floats:
     return array.astype(native, copy=False)
 
 
-def point(given: ArrayLike, name: str) -> NDArray[np.float64]:
+def point(given: ArrayLike | int, name: str) -> NDArray[np.float64]:
     """Three real numbers."""
     array = _floats(given, name)
     if array.shape != (3,):
@@ -95,7 +96,7 @@ def point(given: ArrayLike, name: str) -> NDArray[np.float64]:
     return array.astype(np.float64)
 
 
-def numbers(given: ArrayLike, name: str, *, rows: int) -> Floats:
+def numbers(given: ArrayLike | float, name: str, *, rows: int) -> Floats:
     """Real numbers, (rows,), float32 or float64; others become float64."""
     array = _floats(given, name)
     if array.ndim != 1:

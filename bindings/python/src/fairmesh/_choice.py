@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from . import _abi, _arrays
+from ._forms import ArrayLike
 from ._options import initial, keep, real, whole
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def _join(struct: _abi.fairmesh_fill_options, join: Join | None) -> None:
             raise ValueError(f"join: {join!r} is neither 'none' nor 'auto' nor groups of loops")
         struct.join.kind = kinds.AUTO
         return
-    if any(np.ndim(group) != 1 for group in join):
+    if any(np.asarray(group).ndim != 1 for group in join):
         raise ValueError("join: groups of loops are needed, such as [[0, 1], [2, 5]]")
     groups = [_arrays.indices(group, "join") for group in join]
     starts = np.cumsum([0, *(len(group) for group in groups)])[:-1].astype(np.uint32)
@@ -62,7 +62,7 @@ def _join(struct: _abi.fairmesh_fill_options, join: Join | None) -> None:
     keep(struct, loops, starts)
 
 
-def _listed(struct: _abi.fairmesh_fill_options, loops: ArrayLike | None) -> None:
+def _listed(struct: _abi.fairmesh_fill_options, loops: ArrayLike | Literal["all"] | None) -> None:
     is_grouped = struct.join.kind == _abi.fairmesh_join_kind.GROUPS
     if loops is None:
         struct.only_listed = int(is_grouped)
@@ -91,7 +91,7 @@ def _place(given: Place) -> _abi.fairmesh_place:
         raise ValueError("within: a ball (centre, radius) or a box (low, high) is needed")
     first = _arrays.numbers(given[0], "within", rows=3).astype(float)
     place = _abi.fairmesh_place()
-    if np.ndim(given[1]) == 0:
+    if np.asarray(given[1]).ndim == 0:
         place.kind, place.centre, place.radius = kinds.BALL, tuple(first), real(given[1], "within")
     else:
         second = _arrays.numbers(given[1], "within", rows=3).astype(float)

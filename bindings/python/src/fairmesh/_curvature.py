@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _arrays
 from ._calls import of_mesh
 from ._errors import call
+from ._forms import ArrayLike
 from ._hosts import MeshLike
 from ._library import load
 

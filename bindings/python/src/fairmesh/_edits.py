@@ -11,7 +11,7 @@ from . import _abi, _arrays
 from ._options import keep, real
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from ._forms import ArrayLike
 
 _kinds = _abi.fairmesh_edit_kind
 

@@ -7,11 +7,12 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _abi, _arrays
 from ._calls import of_mesh
 from ._carry import Change, blended
+from ._forms import ArrayLike
 from ._handles import result_of
 from ._hosts import Arrays, M, MeshLike
 from ._keywords import MeshKeywords, TrimKeywords, WatchKeywords

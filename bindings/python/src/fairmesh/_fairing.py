@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _abi, _arrays
 from ._calls import of_mesh
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
     from typing_extensions import Unpack
 
-    from ._forms import Curvature, HowFar, LoopContinuity, Normals, Target
+    from ._forms import ArrayLike, Curvature, HowFar, LoopContinuity, Normals, Target
 
 _lists = _abi.fairmesh_list
 

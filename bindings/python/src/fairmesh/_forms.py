@@ -3,9 +3,24 @@
 from __future__ import annotations
 
 from collections import abc
-from typing import Literal, Union
+from typing import Any, Literal, Protocol, Union
 
-from numpy.typing import ArrayLike
+
+class ArrayLike(Protocol):
+    """What numpy makes an array of: an array of any package, a list, a tuple; no string.
+
+    Where a type checker names numpy's own type of this name, it fills a page.
+    """
+
+    def __len__(self) -> int:
+        """The number of rows."""
+
+    def __getitem__(self, key: Any, /) -> Any:
+        """A row."""
+
+    def __contains__(self, key: object, /) -> bool:
+        """Any object may be asked for, which tells it from a string."""
+
 
 #: "fitted", "averaged", (n, 3) unit vectors with rows of zeros or NaN where none is given, or (indices, (k, 3)).
 Normals = Union[Literal["fitted", "averaged"], ArrayLike, tuple[ArrayLike, ArrayLike]]

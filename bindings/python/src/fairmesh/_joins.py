@@ -6,11 +6,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _abi, _arrays
 from ._calls import of_mesh
 from ._choice import loop_choice
+from ._forms import ArrayLike
 from ._handles import ResultHandle, result_of
 from ._hosts import MeshLike
 from ._keywords import JoinKeywords, MeshKeywords

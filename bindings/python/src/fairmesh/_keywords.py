@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, Union
 
-from numpy.typing import ArrayLike
-
+from ._forms import ArrayLike
 from ._schema import (
     BRIDGE_DEFAULTS,
     FILLING_DEFAULTS,
@@ -25,7 +24,7 @@ if TYPE_CHECKING:
 #: "none", "auto", or groups of loops.
 Join = Union[Literal["none", "auto"], Sequence[ArrayLike]]
 #: A ball (centre, radius), or a box (lowest corner, highest corner).
-Place = tuple[ArrayLike, ArrayLike]
+Place = tuple[ArrayLike, Union[ArrayLike, float]]
 
 #: What all keywords are by default; those that are not here, None.
 DEFAULTS: dict[str, Any] = {

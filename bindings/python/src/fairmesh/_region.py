@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _abi, _arrays
 from ._calls import of_mesh
+from ._forms import ArrayLike
 from ._hosts import MeshLike
 from ._keywords import SelectKeywords
 from ._options import real, whole
@@ -90,13 +91,17 @@ def select_halfspace(
 
 
 @overload
-def select_geodesic(mesh: MeshLike, /, seed: ArrayLike, radius: float, **keywords: Unpack[SelectKeywords]) -> Mask: ...
+def select_geodesic(
+    mesh: MeshLike, /, seed: ArrayLike | int, radius: float, **keywords: Unpack[SelectKeywords]
+) -> Mask: ...
 @overload
 def select_geodesic(
-    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike, radius: float, **keywords: Unpack[SelectKeywords]
+    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike | int, radius: float, **keywords: Unpack[SelectKeywords]
 ) -> Mask: ...
 @of_mesh(SelectKeywords)
-def select_geodesic(mesh: _arrays.Mesh, seed: ArrayLike, radius: float, **keywords: Unpack[SelectKeywords]) -> Mask:
+def select_geodesic(
+    mesh: _arrays.Mesh, seed: ArrayLike | int, radius: float, **keywords: Unpack[SelectKeywords]
+) -> Mask:
     """Faces all of whose corners are no further from a place than this along the surface, as a mask (m,).
 
     Args:
@@ -110,13 +115,13 @@ def select_geodesic(mesh: _arrays.Mesh, seed: ArrayLike, radius: float, **keywor
 
 
 @overload
-def select_component(mesh: MeshLike, /, seed: ArrayLike, **keywords: Unpack[SelectKeywords]) -> Mask: ...
+def select_component(mesh: MeshLike, /, seed: ArrayLike | int, **keywords: Unpack[SelectKeywords]) -> Mask: ...
 @overload
 def select_component(
-    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike, **keywords: Unpack[SelectKeywords]
+    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike | int, **keywords: Unpack[SelectKeywords]
 ) -> Mask: ...
 @of_mesh(SelectKeywords)
-def select_component(mesh: _arrays.Mesh, seed: ArrayLike, **keywords: Unpack[SelectKeywords]) -> Mask:
+def select_component(mesh: _arrays.Mesh, seed: ArrayLike | int, **keywords: Unpack[SelectKeywords]) -> Mask:
     """Faces that hang together with a place by edges, as a mask (m,).
 
     Args:
@@ -130,14 +135,16 @@ def select_component(mesh: _arrays.Mesh, seed: ArrayLike, **keywords: Unpack[Sel
 
 @overload
 def select_patch(
-    mesh: MeshLike, /, seed: ArrayLike, angle: float = ..., **keywords: Unpack[SelectKeywords]
+    mesh: MeshLike, /, seed: ArrayLike | int, angle: float = ..., **keywords: Unpack[SelectKeywords]
 ) -> Mask: ...
 @overload
 def select_patch(
-    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike, angle: float = ..., **keywords: Unpack[SelectKeywords]
+    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike | int, angle: float = ..., **keywords: Unpack[SelectKeywords]
 ) -> Mask: ...
 @of_mesh(SelectKeywords)
-def select_patch(mesh: _arrays.Mesh, seed: ArrayLike, angle: float = 30.0, **keywords: Unpack[SelectKeywords]) -> Mask:
+def select_patch(
+    mesh: _arrays.Mesh, seed: ArrayLike | int, angle: float = 30.0, **keywords: Unpack[SelectKeywords]
+) -> Mask:
     """Faces around a place up to edges at which the surface bends by more than an angle, as a mask (m,).
 
     Args:
@@ -151,11 +158,13 @@ def select_patch(mesh: _arrays.Mesh, seed: ArrayLike, angle: float = 30.0, **key
 
 
 @overload
-def select_bump(mesh: MeshLike, /, seed: ArrayLike, **keywords: Unpack[SelectKeywords]) -> Mask: ...
+def select_bump(mesh: MeshLike, /, seed: ArrayLike | int, **keywords: Unpack[SelectKeywords]) -> Mask: ...
 @overload
-def select_bump(vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike, **keywords: Unpack[SelectKeywords]) -> Mask: ...
+def select_bump(
+    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike | int, **keywords: Unpack[SelectKeywords]
+) -> Mask: ...
 @of_mesh(SelectKeywords)
-def select_bump(mesh: _arrays.Mesh, seed: ArrayLike, **keywords: Unpack[SelectKeywords]) -> Mask:
+def select_bump(mesh: _arrays.Mesh, seed: ArrayLike | int, **keywords: Unpack[SelectKeywords]) -> Mask:
     """The bump or dent at a place: where the mean curvature departs from that of the surroundings, as a mask (m,).
 
     Args:
@@ -223,9 +232,9 @@ def _step(
     return made
 
 
-def _seeded(kind: _abi.fairmesh_region_kind, seed: ArrayLike, value: float = 0.0) -> _abi.fairmesh_region_step:
+def _seeded(kind: _abi.fairmesh_region_kind, seed: ArrayLike | int, value: float = 0.0) -> _abi.fairmesh_region_step:
     """A step that begins at a vertex or a point."""
-    if np.ndim(seed) != 0:
+    if np.asarray(seed).ndim != 0:
         return _step(kind, point=_arrays.point(seed, "seed"), value=value)
     made = _step(kind, value=value)
     made.seed_kind = _abi.fairmesh_seed_kind.VERTEX

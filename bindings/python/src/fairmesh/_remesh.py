@@ -6,10 +6,11 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _abi, _arrays
 from ._calls import of_mesh
+from ._forms import ArrayLike
 from ._handles import result_of
 from ._holes import NewMesh
 from ._hosts import Arrays, M
