@@ -45,7 +45,7 @@ export class Handles {
 
     constructor(viewer: Viewer) {
         this.#viewer = viewer;
-        viewer.drawn = () => this.#ring();
+        viewer.overlays.push(() => this.#ring());
     }
 
     #ring(): void {

@@ -6,9 +6,10 @@ import { type Format, readMesh, save, written } from "./files.js";
 import { fromText, maskOf, runsOf, type State, toText } from "./link.js";
 import { Model } from "./model.js";
 import type { Part } from "./parts.js";
-import { choose, chosen, element, input, label, onChoice, options, say, select, told } from "./page.js";
+import { choose, chosen, copied, element, input, label, onChoice, options, say, select, told } from "./page.js";
 import { Pointer } from "./pointer.js";
 import { scaleOf, type Shading } from "./shading.js";
+import { Spot } from "./spot.js";
 import { Story } from "./story.js";
 import { Viewer } from "./viewer.js";
 import { REMEDIES } from "./words.js";
@@ -37,6 +38,7 @@ class Page {
     readonly #dragging: Dragging;
     readonly #pointer: Pointer;
     readonly #story: Story;
+    readonly #spot: Spot;
     #scale = 1;
     #isCurvatureShown = false;
     /** What the colours and the lists were made for. */
@@ -50,6 +52,7 @@ class Page {
         this.#viewer = new Viewer(element<HTMLCanvasElement>("canvas"), () => this.#remember());
         this.#dragging = new Dragging(model, this.#viewer, () => ({ meanCurvature: this.#isCurvatureShown }));
         this.#pointer = new Pointer(model, this.#viewer, this.#dragging);
+        this.#spot = new Spot(model, this.#viewer, this.#dragging);
         this.#story = new Story(this.#dragging);
         this.#dragging.taken = () => this.#story.end(true);
         model.changed = () => this.#changed();
@@ -195,12 +198,7 @@ class Page {
     async #copyLink(): Promise<void> {
         await this.#writeLink();
         if (this.#model.shape === null) return say("Your own file is not part of a link: save it, and hand it over.", true);
-        try {
-            await navigator.clipboard.writeText(location.href);
-            say("The link to what you see is in the clipboard.");
-        } catch {
-            say("The link to what you see is in the address bar.");
-        }
+        say(`The link to what you see is in the ${(await copied(location.href)) ? "clipboard" : "address bar"}.`);
     }
 
     async #spread(kind: "grow" | "shrink"): Promise<void> {
@@ -242,6 +240,7 @@ class Page {
         this.#dragging.refresh();
         this.#pointer.mark();
         this.#tell();
+        if (this.#listed !== surface) this.#spot.forget();
         if (this.#coloured !== surface) void this.#shade();
         if (this.#listed !== surface) void this.#list();
         this.#remember();

@@ -25,6 +25,23 @@ export function told(why: unknown): string {
     return sentence(message ?? String(why)) + (remedy ? ` ${sentence(remedy)}` : "");
 }
 
+/** Whether a text is in the clipboard now. Pages that are files may have no other way than a field that is copied from. */
+export async function copied(text: string): Promise<boolean> {
+    try {
+        await navigator.clipboard.writeText(text);
+        return true;
+    } catch {
+        const field = document.body.appendChild(document.createElement("textarea"));
+        const focused = document.activeElement as HTMLElement | null;
+        field.value = text;
+        field.select();
+        const isDone = document.execCommand("copy");
+        field.remove();
+        focused?.focus();
+        return isDone;
+    }
+}
+
 /** A text that stands for the value of a slider, for the eye and for a screen reader. */
 export function label(id: string, text: string): void {
     input(id).setAttribute("aria-valuetext", text);

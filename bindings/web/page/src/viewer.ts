@@ -20,8 +20,8 @@ export class Viewer {
     readonly #before = new Mesh(new BufferGeometry(), material(-1));
     readonly #wires = new Mesh(new BufferGeometry(), wires());
     readonly #rays = new Raycaster();
-    /** The picture is new: what lies over it is to be put in its place. */
-    drawn: () => void = () => undefined;
+    /** What lies over the picture, and is put in its place when that is new. */
+    readonly overlays: (() => void)[] = [];
     #isAsked = false;
     #swipe = 0;
 
@@ -57,7 +57,7 @@ export class Viewer {
             const cut = this.#swipe * this.#renderer.domElement.width;
             for (const { material } of [this.#before, this.#after, this.#wires]) material.uniforms["cut"]!.value = cut;
             this.#renderer.render(this.#scene, this.camera);
-            this.drawn();
+            for (const place of this.overlays) place();
         });
     }
 
