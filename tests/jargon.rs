@@ -151,8 +151,19 @@ fn labels_and_tooltips_of_blender() {
             .into_iter()
             .filter(|text| text.contains(' '));
         let name = file.file_name().unwrap().to_str().unwrap().to_owned();
-        texts.map(move |text| (name.clone(), text)).collect::<Vec<_>>()
+        texts
+            .map(move |text| (name.clone(), without_names(&text)))
+            .collect::<Vec<_>>()
     }));
+}
+
+/// A text without what stands for a label (`{option.CHOICE}`), and without Blender's own name of a menu.
+fn without_names(text: &str) -> String {
+    let mut pieces = text.split('{');
+    let first = pieces.next().unwrap_or_default().to_owned();
+    let rest = pieces.map(|piece| piece.split_once('}').map_or(piece, |(_, behind)| behind));
+    rest.fold(first, |text, piece| text + piece)
+        .replace("Non Manifold", "")
 }
 
 /// Names of filters, labels and tooltips of parameters, and the sentence in bold that a help text begins with.
