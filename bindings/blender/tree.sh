@@ -24,6 +24,7 @@ addon_zip() {
     cp bindings/python/src/fairmesh/*.py LICENSE-MIT LICENSE-APACHE "$top/fairmesh"
     cp "$licences" "$top/lib/THIRD-PARTY.txt"
     cp "$library" "$top/lib/$platform/$file"
+    python3 bindings/blender/icon.py "$top/icons/fairmesh.live.dat"
     venv manual markdown==3.7
     "$out/manual/bin/python" bindings/blender/manual_page.py "$top/manual"
     SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 1704067200)} \

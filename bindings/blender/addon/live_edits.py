@@ -70,7 +70,9 @@ class FAIRMESH_PG_live_edit(bpy.types.PropertyGroup):
         box.prop(self, "kind")
         box.prop(self, "way" if self.kind == MOVE else "angle")
         if self.kind != BULGE:
-            box.prop(self, "falloff")
+            # What no length means, where it stands.
+            none = "Falloff (Loop Alone)" if self.kind == MOVE else "Falloff (Whole Loop)"
+            box.prop(self, "falloff", text="Falloff" if self.falloff else none)
 
 
 def mirrored(edit, axis, image):

@@ -61,7 +61,7 @@ class MESH_OT_fairmesh_live(Background, RegionOptions, FairingOptions, bpy.types
     )
     hold: BoolProperty(
         name="Hold",
-        description="Drag with the button held, as a tool: releasing it does not confirm",
+        description="The left button is down already: the drag begins at once, as with the tool",
         options={"SKIP_SAVE", "HIDDEN"},
     )
 

@@ -25,8 +25,9 @@ _KINDS = {"T": TILT, "W": TWIST, "B": BULGE, "G": MOVE}
 _WIDER, _NARROWER = {"WHEELDOWNMOUSE", "PAGE_UP"}, {"WHEELUPMOUSE", "PAGE_DOWN"}
 _NAVIGATION = {"MIDDLEMOUSE", "TRACKPADPAN", "TRACKPADZOOM", "MOUSEROTATE", "NDOF_MOTION"}
 _KEYS = (
-    "Enter: confirm    ESC: cancel    T: tilt    W: twist    B: bulge    G: move    Wheel: falloff    X: mirror    "
-    "L: loop at the pointer    0-9: number    Shift: precise    Ctrl: 5\u00b0 steps    Ctrl Z: take back"
+    "Drag at a loop    Enter, click away: confirm    ESC: cancel    T: tilt    W: twist    B: bulge    G: move    "
+    "Wheel: falloff    X: mirror    L: loop at the pointer    0-9: number    Shift: precise    "
+    "Ctrl: 5\u00b0 steps    Ctrl Z: take back"
 )
 
 #: The last text in the header.
@@ -44,8 +45,8 @@ class LiveRun:
         self._window_manager, self._workspace = context.window_manager, context.workspace
         self._view = View(context, live.mesh.object)
         self._number = NumberInput()
-        # As a tool it is dragged while the button is held; otherwise the pointer needs none.
-        self._is_held = True
+        # The pointer drags while the button is held. From a menu or the sidebar it has a way to go first.
+        self._is_held = operator.hold
         self._settle_anew()
         self.state = self._first_state(pointer)
         self._preview = Preview(live.mesh)
@@ -127,13 +128,13 @@ class LiveRun:
 
     def _take_button(self, event):
         if event.value == "PRESS":
-            found = self._nearest(event) if self._operator.hold else None
+            found = self._nearest(event)
             if found is None or found[2] > NEAR:
                 return self._operator.confirm()
             self._is_held = True
             self.state.pick(*found[:2])
             self._begin_drag(event)
-        elif event.value == "RELEASE" and self._operator.hold:
+        elif event.value == "RELEASE":
             self._is_held = False
             self.state.remember()
         return {"RUNNING_MODAL"}

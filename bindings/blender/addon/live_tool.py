@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fair Live in the tool bar of Edit mode, with a handle on every boundary loop of what is selected."""
 
+from pathlib import Path
+
 import bpy
 from mathutils import Matrix, Vector
 
@@ -79,7 +81,8 @@ class FairLiveTool(bpy.types.WorkSpaceTool):
         "Fairs what is selected, and drags at its boundary loops how the surface leaves them.\n"
         "Drag a handle, or beside a loop; T, W, B, G: tilt, twist, bulge, move; Enter confirms"
     )
-    bl_icon = "ops.mesh.vertices_smooth"
+    # Without ".dat"; icon.py makes it.
+    bl_icon = str(Path(__file__).resolve().parent / "icons" / "fairmesh.live")
     is_there = False
     bl_widget = "VIEW3D_GGT_fairmesh_live"
     bl_keymap = (
@@ -106,7 +109,8 @@ def register():
     bpy.utils.register_class(VIEW3D_GGT_fairmesh_live)
     FairLiveTool.is_there = has_key_maps()
     if FairLiveTool.is_there:
-        bpy.utils.register_tool(FairLiveTool, after={"builtin.smooth"}, separator=True)
+        # After a tool that is in no group: this one would be hidden in it.
+        bpy.utils.register_tool(FairLiveTool, after={"builtin.poly_build"})
 
 
 def unregister():

@@ -70,10 +70,20 @@ def begin(**properties):
     yield from wait_until(settled, 30)
 
 
-def drag(dx, dy, steps=5, **modifiers):
-    x, y = middle()
+def drag(dx, dy, steps=5, pressed=True, **modifiers):
+    """From the vertex that is edited, with the button held."""
+    live, vertex = run_of()._run.live, state().vertex
+    x, y = on_screen(live.mesh.object, live.positions()[0][vertex])
+    move(x, y)
+    yield 0.1
+    if pressed:
+        button("PRESS", x, y)
+        yield 0.1
     for step in range(1, steps + 1):
         move(x + dx * step / steps, y + dy * step / steps, **modifiers)
+        yield 0.1
+    if pressed:
+        button("RELEASE", x + dx, y + dy)
         yield 0.1
     yield from wait_until(settled, 30)
 
@@ -108,6 +118,9 @@ def tilt_and_undo():
     yield 0.5
     yield from begin()
     picture("live_first")
+    # On the way from the menu nothing changes yet.
+    yield from drag(60, 100, pressed=False)
+    assert angle() == 0.0, angle()
     yield from drag(0, 100)
     assert np.array_equal(common.coordinates(obj), before), "the mesh was changed before Enter"
     dragged = angle()
@@ -177,7 +190,7 @@ def wheel_and_numbers():
         yield 0.1
     assert "-12.5|" in header() and abs(angle() + 12.5) < 1e-9, (header(), angle())
     # The pointer does nothing now.
-    yield from drag(50, 50)
+    yield from drag(50, 50, pressed=False)
     assert abs(angle() + 12.5) < 1e-9
     press("BACK_SPACE")
     press("BACK_SPACE")

@@ -56,7 +56,7 @@ def steps():
     move(x, y)
     yield 0.5
     run = part("live_run")
-    assert call(bpy.ops.mesh.fairmesh_live, "INVOKE_DEFAULT") == {"RUNNING_MODAL"}
+    assert call(bpy.ops.mesh.fairmesh_live, "INVOKE_DEFAULT", hold=True) == {"RUNNING_MODAL"}
     yield from wait_until(lambda: run.shown.endswith("settled"), 60)
     print(f"{len(free)} free vertices")
     for overlays in (True, False):

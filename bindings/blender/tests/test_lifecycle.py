@@ -42,12 +42,14 @@ MENUS = (
 
 
 def has_tool():
-    """Whether Fair Live is in the tool bar of Edit mode."""
+    """Whether Fair Live is in the tool bar of Edit mode, in a place of its own and with an icon of its own."""
     from bl_ui.space_toolsystem_toolbar import VIEW3D_PT_tools_active
 
-    listed = VIEW3D_PT_tools_active._tools["EDIT_MESH"]
-    flat = [each for group in listed for each in (group if isinstance(group, tuple) else (group,))]
-    return any(getattr(each, "idname", None) == "fairmesh.live" for each in flat)
+    # Groups are tuples in it.
+    found = [each for each in VIEW3D_PT_tools_active._tools["EDIT_MESH"] if getattr(each, "idname", None) == "fairmesh.live"]
+    if found:
+        assert bpy.app.icons.new_triangles_from_file(f"{found[0].icon}.dat") or bpy.app.background
+    return bool(found)
 
 
 def registered():
