@@ -8,7 +8,7 @@ import { Model } from "./model.js";
 import type { Part } from "./parts.js";
 import { choose, chosen, copied, element, input, label, onChoice, options, say, select, told } from "./page.js";
 import { Pointer } from "./pointer.js";
-import { scaleOf, type Shading } from "./shading.js";
+import { gradient, scaleOf, type Shading } from "./shading.js";
 import { Spot } from "./spot.js";
 import { Story } from "./story.js";
 import { Viewer } from "./viewer.js";
@@ -72,6 +72,7 @@ class Page {
 
     #listen(): void {
         const click = (id: string, then: () => unknown) => element(id).addEventListener("click", () => void then());
+        document.querySelector<HTMLElement>("#legend i")!.style.background = gradient();
         options("shape", [...Object.entries(SHAPES), ["file", "Own file"]]);
         select("shape").addEventListener("change", () => void this.#take(select("shape").value));
         input("file").addEventListener("change", () => void this.#open(input("file").files?.[0]));
@@ -283,6 +284,8 @@ class Page {
         const shading = chosen("shading") as Shading;
         const { surface, before } = this.#model;
         this.#isCurvatureShown = shading === "curvature";
+        element("scene").classList.toggle("curved", this.#isCurvatureShown);
+        element("legend").hidden = !this.#isCurvatureShown;
         if (this.#isCurvatureShown) {
             this.#coloured = surface;
             const values = await this.#model.meanCurvature(this.#model.mesh);
@@ -290,11 +293,17 @@ class Page {
             this.#scale = scaleOf(values);
             if (before !== null) before.paint("curvature", await this.#model.meanCurvature({ positions: before.positions, triangles: before.triangles }));
         }
-        element("legend").hidden = !this.#isCurvatureShown;
-        element("low").textContent = (-this.#scale).toPrecision(2);
-        element("high").textContent = this.#scale.toPrecision(2);
+        this.#legend();
         this.#viewer.shade(shading, this.#scale, input("wires").checked);
         this.#remember();
+    }
+
+    /** The numbers of the scale. */
+    #legend(): void {
+        const short = (x: number) => String(Number(x.toPrecision(3))).replace("-", "−");
+        document.querySelectorAll("#legend div span").forEach((tick, k) => (tick.textContent = short((k / 2 - 1) * this.#scale)));
+        element("legend-radius").textContent = short(1 / this.#scale);
+        element("legend-inverse").textContent = short(this.#scale);
     }
 
     #swipe(): void {

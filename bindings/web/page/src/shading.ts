@@ -22,6 +22,10 @@ void main() {
     gl_Position = projectionMatrix * seen;
 }`;
 
+/** Colours of curvature: negative, none, positive; the exponent shows small ones, too. */
+const [LOW, MIDDLE, HIGH, GAMMA] = [[0.13, 0.4, 0.67], 0.97, [0.7, 0.19, 0.12], 0.8];
+const glsl = (colour: readonly number[]) => `vec3(${colour.map((x) => x.toFixed(3)).join(", ")})`;
+
 /** Reflection lines are those of parallel lamps in the direction of x, infinitely far away: they turn with the eye. */
 const FRAGMENT = /* glsl */ `
 uniform int shading;
@@ -36,7 +40,7 @@ varying vec3 at;
 varying vec3 across;
 varying float bent;
 varying float marked;
-vec3 warm(float t) { return mix(vec3(0.97), t < 0.0 ? vec3(0.13, 0.40, 0.67) : vec3(0.70, 0.19, 0.12), pow(abs(t), 0.8)); }
+vec3 warm(float t) { return mix(vec3(${MIDDLE}), t < 0.0 ? ${glsl(LOW)} : ${glsl(HIGH)}, pow(abs(t), ${GAMMA})); }
 void main() {
     if ((gl_FragCoord.x - cut) * side < 0.0) discard;
     vec3 n = normalize(across) * (gl_FrontFacing ? 1.0 : -1.0);
@@ -87,8 +91,18 @@ export function wires(): ShaderMaterial {
     return new ShaderMaterial({ vertexShader: WIRE_VERTEX, fragmentShader: WIRE_FRAGMENT, wireframe: true, transparent: true, uniforms });
 }
 
-/** A scale that outliers do not spoil: nineteen vertices of twenty are within it. */
+/** A scale that outliers do not spoil: nineteen vertices of twenty are within it. 1, 2 or 5 times a power of ten, as scales are
+ *  read; what is above its end by no more than a fiftieth, as a ball of triangles has it, counts as the end. */
 export function scaleOf(values: ArrayLike<number>): number {
-    const sizes = Array.from(values, Math.abs).filter(Number.isFinite).sort((a, b) => a - b);
-    return sizes[Math.floor(0.95 * (sizes.length - 1))] || 1;
+    const sizes = Float64Array.from(Array.from(values, Math.abs).filter(Number.isFinite)).sort();
+    const most = sizes[Math.floor(0.95 * (sizes.length - 1))] || 1;
+    const power = 10 ** Math.floor(Math.log10(most));
+    return power * [1, 2, 5, 10].find((step) => step * power >= 0.98 * most)!;
+}
+
+/** The colours of the scale from its lower end to its upper one, as the shader mixes them. */
+export function gradient(): string {
+    const mixed = (t: number) => [0, 1, 2].map((k) => Math.round(255 * (MIDDLE + Math.abs(t) ** GAMMA * ((t < 0 ? LOW : HIGH)[k]! - MIDDLE))));
+    const stops = Array.from({ length: 17 }, (_, k) => `rgb(${mixed(k / 8 - 1).join(" ")})`);
+    return `linear-gradient(90deg, ${stops.join(", ")})`;
 }

@@ -21,6 +21,7 @@ export class Spot {
     readonly #viewer: Viewer;
     readonly #dragging: Dragging;
     #point: Vector3 | null = null;
+    #triangle = 0;
     /** A click has fixed it, so that the pointer can go to the buttons. */
     #isFixed = false;
     #down: Vector2 | null = null;
@@ -62,6 +63,7 @@ export class Spot {
     }
 
     #show(hit: Hit | null): void {
+        this.#triangle = hit?.triangle ?? 0;
         this.#point = hit && exactly(this.#model.surface, hit);
         element("spot").hidden = element("mark").hidden = hit === null;
         element("mark").classList.toggle("fixed", this.#isFixed);
@@ -85,6 +87,7 @@ export class Spot {
         const { place, radius } = this.#numbers();
         ["x", "y", "z"].forEach((axis, k) => (element(`spot-${axis}`).textContent = place[k]!));
         element("spot-r").textContent = radius;
+        element("spot-h").textContent = this.#model.surface.curvature(this.#triangle).toPrecision(3);
     }
 
     /** The cross stays at its place when the view turns; the circle is as large as the brush there. */

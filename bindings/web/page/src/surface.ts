@@ -70,6 +70,12 @@ export class Surface {
         shown.needsUpdate = true;
     }
 
+    /** The curvature that is coloured in a triangle. */
+    curvature(triangle: number): number {
+        const shown = this.geometry.getAttribute("curvature");
+        return [0, 1, 2].reduce((sum, k) => sum + shown.getX(this.triangles[3 * triangle + k]!) / 3, 0);
+    }
+
     /** Where a ray meets the surface first. */
     hit(ray: Ray): Hit | null {
         if (this.#isMoved) this.#bvh.refit();
