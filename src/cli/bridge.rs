@@ -102,12 +102,13 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
         &args.output,
     );
     output.write(&led.bytes)?;
+    let mut drawn = None;
     if let Some(pictures) = &pictures {
         let after = MeshSide {
             positions: &bridged.positions,
             triangles: &bridged.triangles,
         };
-        pictures.write(mesh.geometry.surface(), after, &in_story(&bridged))?;
+        drawn = Some(pictures.write(mesh.geometry.surface(), after, &in_story(&bridged))?);
     }
     let total = start.elapsed().as_secs_f64();
     let json = || {
@@ -117,7 +118,7 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
             "twist": bridged.twist, "loops": rest, "references": led.told,
             "whole": bridged.whole.as_ref().map(|report| report.outcome.name()),
             "turned_faces": turned, "new_vertices": bridged.parents.len(), "new_triangles": bridged.triangles.len() - mesh.geometry.triangles.len(),
-            "seconds": { "solve": solve, "total": total } })
+            "seconds": { "solve": solve, "pictures": drawn, "total": total } })
     };
     answer.tell(&[&args.output], json, || {
         let told = led.told.iter().map(|line| format!("{line}\n"));

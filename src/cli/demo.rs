@@ -83,6 +83,7 @@ pub fn run(args: &DemoArgs) -> Result<bool, Failure> {
             read: 0.0,
             solve,
             write: writing.elapsed().as_secs_f64(),
+            pictures: None,
             total: start.elapsed().as_secs_f64(),
         },
         stale_normals: 0,

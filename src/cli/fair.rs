@@ -148,7 +148,7 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
     };
     let led = references::led(written.bytes, format, &job.input, &job.output);
     output.write(&led.bytes)?;
-    let summary = Summary {
+    let mut summary = Summary {
         report: &solution.report,
         geometry: &input.geometry,
         region: &input.region,
@@ -156,6 +156,7 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
             read,
             solve,
             write: writing.elapsed().as_secs_f64(),
+            pictures: None,
             total: start.elapsed().as_secs_f64(),
         },
         stale_normals: written.stale_normals,
@@ -175,7 +176,8 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
             summary.advice(),
             summary.readable(),
         );
-        pictures.write(mesh.geometry.surface(), after, &story)?;
+        summary.times.pictures = Some(pictures.write(mesh.geometry.surface(), after, &story)?);
+        summary.times.total = start.elapsed().as_secs_f64();
     }
     Ok(Done {
         is_good: solution.report.outcome == Outcome::Converged,

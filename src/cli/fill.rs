@@ -187,7 +187,6 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
     let grown = mesh.with_added(format, &added, source.map(|of| &of.was));
     let led = references::led(grown, format, &job.input, &job.output);
     output.write(&led.bytes)?;
-    let total = start.elapsed().as_secs_f64();
     // Outer boundaries that are passed over are no success by themselves; beside something that was done they are.
     let is_good =
         filled.is_success() || dropped + trimmed > 0 && filled.loops.iter().all(LoopReport::is_success);
@@ -199,16 +198,6 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
     let seams = match filled.loops.iter().any(is_open) {
         true => seams::advice(&mesh.geometry, coincident),
         false => None,
-    };
-    let json = || {
-        let (first, face) = face_numbers(&mesh, format);
-        let loops: Vec<Value> = filled.loops.iter().map(|l| reported(l, first, face)).collect();
-        json!({ "success": is_good, "loops": loops, "region": region.json(), "advice": seams, "orientation": oriented.as_ref().map(|of| &of.json), "dropped_components": dropped, "new_vertices": filled.parents.len(),
-            "trimmed_faces": trimmed, "trimmed_area": trimmed_area,
-            "dropped_faces": erased.as_ref().map_or(0, |of| of.dropped),
-            "cleaned_faces": erased.as_ref().map_or(0, |of| of.cleaned),
-            "new_triangles": filled.triangles.len() - mesh.geometry.triangles.len(),
-            "seconds": { "solve": solve, "total": total } })
     };
     let in_words = || {
         let more = erased.as_ref().map_or([0; 2], |of| [of.dropped, of.cleaned]);
@@ -223,6 +212,7 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
             .map_or(String::new(), |advice| format!("{advice}\n"));
         region + oriented + &seams + &trimmed + &readable(&filled, args, dropped, more)
     };
+    let mut drawn = None;
     if let Some((pictures, before)) = pictures.as_ref().zip(before.as_ref()) {
         let after = MeshSide {
             positions: &filled.positions,
@@ -232,8 +222,19 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
         let ended = (is_good, format!("holes: {}", counted(&filled)));
         let continued = args.continuity.is_asked();
         let story = story::of_patches("fill", ended, &told.collect::<Vec<_>>(), continued, in_words());
-        pictures.write(before.surface(), after, &story)?;
+        drawn = Some(pictures.write(before.surface(), after, &story)?);
     }
+    let total = start.elapsed().as_secs_f64();
+    let json = || {
+        let (first, face) = face_numbers(&mesh, format);
+        let loops: Vec<Value> = filled.loops.iter().map(|l| reported(l, first, face)).collect();
+        json!({ "success": is_good, "loops": loops, "region": region.json(), "advice": seams, "orientation": oriented.as_ref().map(|of| &of.json), "dropped_components": dropped, "new_vertices": filled.parents.len(),
+            "trimmed_faces": trimmed, "trimmed_area": trimmed_area,
+            "dropped_faces": erased.as_ref().map_or(0, |of| of.dropped),
+            "cleaned_faces": erased.as_ref().map_or(0, |of| of.cleaned),
+            "new_triangles": filled.triangles.len() - mesh.geometry.triangles.len(),
+            "seconds": { "solve": solve, "pictures": drawn, "total": total } })
+    };
     Ok(Done {
         is_good,
         outcome: counted(&filled),

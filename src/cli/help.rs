@@ -74,7 +74,7 @@ suspicious_normals, creased_vertices, reached, member_weight (w of the equation
 Delta_B H = -2 w H (H^2 - K), where the outcome is nearest_member), fallback_weights and stale_normals (vertices
 whose normals in the file could not be updated) and references (what is said of materials and textures that the file names). In seconds, 'solve' is everything from the arrays of the input to the arrays of
 the result; 'setup' (connectivity, boundary normals), 'start', 'iterate' and 'quality' are parts of it;
-'total' is the whole run. In components, each part of the region that is a problem of its own has vertex (the smallest of
+'pictures' is null where none was asked for; 'total' is the whole run. In components, each part of the region that is a problem of its own has vertex (the smallest of
 its free ones), free_vertices, outcome, iterations, defect, step, diagonal, least_bending, member_weight, quality,
 attempts: what was tried, in its order, each with the free_vertices of its mesh (coarse or its own), name, iterations,
 end and bending_energy (the integral of H^2), and continuity, where more than g1 is asked for: for each boundary loop its smallest vertex,

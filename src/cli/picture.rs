@@ -4,10 +4,12 @@ mod animation;
 mod axes;
 mod camera;
 mod canvas;
+mod direction;
 mod label;
 mod letters;
 mod paint;
 mod pixels;
+mod places;
 mod refined;
 mod scale;
 mod sheet;
@@ -19,8 +21,10 @@ use crate::failure::Failure;
 pub use animation::Animation;
 use camera::Camera;
 use canvas::Canvas;
+pub use direction::best_direction;
 pub use label::Label;
 pub use pixels::Pixels;
+pub use places::Places;
 pub use refined::Refined;
 pub use scale::{Palette, Scale};
 pub use sheet::Layout;
@@ -88,6 +92,19 @@ pub fn tiles(group: &Group<'_>) -> Vec<Pixels> {
     group.views.par_iter().map(paint).collect()
 }
 
+/// Where the pixels of a group's views are, for those that are chosen.
+pub fn places(group: &Group<'_>, chosen: &[usize]) -> Vec<Places> {
+    let options = PictureOptions {
+        samples: 1,
+        ..*group.options
+    };
+    let camera = Camera::around(group.views, &options);
+    chosen
+        .par_iter()
+        .map(|&k| Places::of(&group.views[k], &camera, &options))
+        .collect()
+}
+
 /// The corners of the frame, in pixels; none where the points fill a good part of the picture.
 fn frame(camera: &Camera, group: &Group<'_>) -> Option<[[i64; 2]; 2]> {
     let samples = group.options.samples as f64;
@@ -106,33 +123,12 @@ fn frame(camera: &Camera, group: &Group<'_>) -> Option<[[i64; 2]; 2]> {
 const LOST: f64 = 0.3;
 const FRAME: i64 = 8;
 
-/// Which share of the pixels that marked triangles would have alone they have in front of all others; 0 if none.
-pub fn seen(view: &View<'_>, options: &PictureOptions, marked: &[bool]) -> f64 {
-    let camera = Camera::around(std::slice::from_ref(view), options);
-    let triangles: Vec<[u32; 3]> = (view.triangles.iter().zip(marked))
-        .filter(|(_, marked)| **marked)
-        .map(|(t, _)| *t)
-        .collect();
-    let alone = View {
-        triangles: &triangles,
-        ..*view
-    };
-    let count = |view: &View<'_>, is_counted: &dyn Fn(usize) -> bool| {
-        let seen = Canvas::seen(view, &camera, options).into_iter();
-        seen.filter(|&t| t != u32::MAX && is_counted(t as usize)).count() as f64
-    };
-    let most = count(&alone, &|_| true);
-    match most > 0.0 {
-        true => count(view, &|t| marked[t]) / most,
-        false => 0.0,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::io::Cursor;
 
     use super::canvas::{BACKDROP, srgb};
+    use super::direction::seen;
     use super::*;
 
     fn h(range: [f64; 2]) -> Scale {

@@ -75,7 +75,7 @@ pub struct RenderArgs {
     /// distance from the first and prints the unsigned distances both ways, at the
     /// vertices and over whole triangles. The largest is within 1 %; mean and rms are
     /// over the area, with at least one sample per triangle and about one per square of
-    /// side diagonal/200
+    /// side diagonal/100
     #[arg(
         long,
         value_enum,

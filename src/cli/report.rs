@@ -22,6 +22,8 @@ pub struct Times {
     pub read: f64,
     pub solve: f64,
     pub write: f64,
+    /// Pictures and pages, if any were asked for.
+    pub pictures: Option<f64>,
     pub total: f64,
 }
 
@@ -93,11 +95,13 @@ impl Summary<'_> {
             read,
             solve,
             write,
+            pictures,
             total,
         } = self.times;
+        let pictures = pictures.map_or(String::new(), |pictures| format!(", pictures {pictures:.2}"));
         table.row(
             "seconds",
-            format_args!("{total:.2} (read {read:.2}, solve {solve:.2}, write {write:.2})"),
+            format_args!("{total:.2} (read {read:.2}, solve {solve:.2}, write {write:.2}{pictures})"),
         );
         table.0
     }
@@ -269,11 +273,13 @@ impl Summary<'_> {
             read,
             solve,
             write,
+            pictures,
             total,
         } = self.times;
         let inner = self.report.seconds;
         json!({
-            "read": read, "setup": inner.setup, "solve": solve, "write": write, "total": total,
+            "read": read, "setup": inner.setup, "solve": solve, "write": write, "pictures": pictures,
+            "total": total,
             "start": inner.start, "iterate": inner.iterate, "quality": inner.quality,
         })
     }
@@ -484,6 +490,7 @@ mod tests {
             read: 1.0,
             solve: 2.0,
             write: 3.0,
+            pictures: None,
             total: 6.5,
         };
         let summary = Summary {

@@ -12,7 +12,6 @@ use crate::formats::packed;
 use crate::formats::pipe_args::PipesArgs;
 use crate::formats::references::{self, Led};
 use crate::formats::{Format, Geometry, Kind, MeshFile};
-use crate::normals;
 use crate::orientation::oriented;
 use crate::output::Output;
 use crate::picture::{self, Layout, PictureOptions, Shading, View};
@@ -174,10 +173,14 @@ fn shown(
     view: Option<[f64; 3]>,
     up: Option<[f64; 3]>,
 ) -> Result<Vec<u8>, Failure> {
-    let options = PictureOptions {
-        direction: view.unwrap_or_else(|| above(geometry, marked)),
+    let usual = PictureOptions {
         up: up.unwrap_or(PictureOptions::default().up),
         ..PictureOptions::default().with_axes()
+    };
+    let above = || picture::best_direction(&geometry.positions, &geometry.triangles, marked, &usual);
+    let options = PictureOptions {
+        direction: view.unwrap_or_else(above),
+        ..usual
     };
     let view = View {
         positions: &geometry.positions,
@@ -186,15 +189,4 @@ fn shown(
         focus: &[],
     };
     picture::render(&[view], &options, &Layout::default())
-}
-
-/// The mean normal of the marked triangles, or the usual direction where they have none.
-fn above(geometry: &Geometry, marked: &[bool]) -> [f64; 3] {
-    let mut sum = [0.0; 3];
-    for (t, _) in geometry.triangles.iter().zip(marked).filter(|(_, is_in)| **is_in) {
-        let [a, b, c] = t.map(|v| geometry.positions[v as usize]);
-        let area = normals::cross(normals::sub(b, a), normals::sub(c, a));
-        (0..3).for_each(|k| sum[k] += area[k]);
-    }
-    normals::unit(sum).unwrap_or(PictureOptions::default().direction)
 }

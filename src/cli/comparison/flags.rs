@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use clap::Args;
 
@@ -195,16 +196,18 @@ pub struct Pictures {
 }
 
 impl Pictures {
-    /// Makes and writes them. The result stands already: what fails here is the report about it.
-    pub fn write(&self, before: MeshSide<'_>, after: MeshSide<'_>, story: &Story) -> Result<(), Failure> {
-        self.make(before, after, story)
-            .map_err(|failure| untold(failure, &[&self.output]))
+    /// Makes and writes them; the seconds that it took. The result stands already: what fails here is the report about it.
+    pub fn write(&self, before: MeshSide<'_>, after: MeshSide<'_>, story: &Story) -> Result<f64, Failure> {
+        let start = Instant::now();
+        let made = self.make(before, after, story);
+        made.map_err(|failure| untold(failure, &[&self.output]))?;
+        Ok(start.elapsed().as_secs_f64())
     }
 
     fn make(&self, before: MeshSide<'_>, after: MeshSide<'_>, story: &Story) -> Result<(), Failure> {
         let refused = |error| explain::plain_refusal(self.input.display(), &error);
         let comparison = Comparison::new(before, after).map_err(refused)?;
-        let sheet = comparison.sheet(self.direction, self.up);
+        let sheet = comparison.sheet(self.direction, self.up, self.report.is_some());
         if let Some(picture) = &self.picture {
             let name = self.input.file_name();
             let name = name.map_or("-".into(), |name| name.to_string_lossy());

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::changes::Comparison;
 use super::histogram::histogram;
 use super::markup::{command_line, data_uri, escaped};
-use super::sheet::Sheet;
+use super::sheet::{Picture, Sheet};
 use crate::failure::Failure;
 use crate::figures::significant;
 
@@ -32,13 +32,21 @@ body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--paper)
 h1{font-size:1.6rem;margin:0}h2{font-size:1.2rem;margin:2rem 0 .5rem}
 .outcome{box-shadow:inset .4rem 0 var(--reserved);padding:.3rem 1rem;font-size:1.1rem}.outcome.good{box-shadow:inset .4rem 0 var(--good)}
 .pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,24rem),1fr));gap:1rem}
-figure{margin:0}img{max-width:100%;height:auto;box-shadow:0 0 0 1px var(--line)}figcaption{color:var(--dim)}
+figure{margin:0;position:relative}figure[data-depths] img{cursor:crosshair}img{max-width:100%;height:auto;box-shadow:0 0 0 1px var(--line)}figcaption{color:var(--dim)}
 th{text-align:left;font-weight:normal;color:var(--dim);padding:.15rem 1.5rem .15rem 0;vertical-align:top;white-space:nowrap}td{padding:.15rem 0}
 pre{overflow-x:auto;white-space:pre-wrap;box-shadow:0 0 0 1px var(--line);padding:.6rem;font-size:.85rem}
 svg{max-width:44rem;width:100%;font-size:13px}svg text{fill:var(--ink)}.axis{stroke:var(--ink);fill:none}
 .before{fill:var(--before);fill-opacity:.25;stroke:var(--before);stroke-dasharray:5 3}.after{fill:var(--after);fill-opacity:.3;stroke:var(--after)}
+.mark{position:absolute;left:0;top:0;width:0;height:0;pointer-events:none}.mark::before,.mark::after{content:\"\";position:absolute;background:var(--before)}
+.mark::before{left:-12px;top:-1px;width:24px;height:2px}.mark::after{left:-1px;top:-12px;width:2px;height:24px}
+.place{font-size:.85rem;display:flex;flex-wrap:wrap;gap:.4rem;align-items:baseline;min-height:2rem}.place output{flex:1 1 14rem;font-variant-numeric:tabular-nums}
+.place input{width:7rem}.place button,.place input{font:inherit}.place:not(.kept) button,.place:not(.kept) label{visibility:hidden}
+.place output:empty::before{content:\"x,y,z under the pointer; a click keeps it\";color:var(--dim)}
 .key{font-weight:bold}.key.b{color:var(--before)}.key.a{color:var(--after)}details{margin-top:2rem}summary{font-size:1.2rem;cursor:pointer}footer{color:var(--dim);margin-top:2rem}
 ";
+
+/// What the pictures do under the pointer.
+const PLACES: &str = include_str!("places.js");
 
 /// The page about a mesh that was read from `input` and written to `output`.
 pub fn page(
@@ -57,14 +65,8 @@ pub fn page(
     let class = if story.is_good { "outcome good" } else { "outcome" };
     paragraph(&mut out, class, &story.outcome);
     out += "<div class=\"pair\">\n";
-    for (caption, png) in sheet.pictures()? {
-        let alt = escaped(&format!("{caption}, in {}", input.display()));
-        let _ = writeln!(
-            out,
-            "<figure><img src=\"{}\" alt=\"{alt}\"/><figcaption>{}</figcaption></figure>",
-            data_uri(&png),
-            escaped(&caption)
-        );
+    for picture in sheet.pictures()? {
+        figure(&mut out, &picture, input, radius(comparison))?;
     }
     out += "</div>\n";
     if !story.advice.is_empty() {
@@ -96,8 +98,56 @@ pub fn page(
     let _ = writeln!(out, "<pre>{}</pre>", escaped(story.printed.trim_end()));
     out += "</details>\n";
     let version = env!("CARGO_PKG_VERSION");
-    let _ = writeln!(out, "<footer>fairmesh {version}</footer>\n</body>\n</html>");
+    let _ = writeln!(
+        out,
+        "<footer>fairmesh {version}</footer>\n<script>\n{PLACES}</script>\n</body>\n</html>"
+    );
     Ok(out)
+}
+
+/// A picture in which each place can be pointed at.
+fn figure(out: &mut String, picture: &Picture, input: &Path, radius: f64) -> Result<(), Failure> {
+    let caption = escaped(&picture.caption);
+    let alt = escaped(&format!("{}, in {}", picture.caption, input.display()));
+    let png = data_uri(&picture.png);
+    let Some(places) = &picture.places else {
+        let _ = writeln!(
+            out,
+            "<figure><img src=\"{png}\" alt=\"{alt}\"/><figcaption>{caption}</figcaption></figure>"
+        );
+        return Ok(());
+    };
+    let depths = places
+        .depths
+        .png()
+        .map_err(|why| Failure::new(format!("cannot make the picture: {why}")))?;
+    let _ = writeln!(
+        out,
+        "<figure data-camera=\"{}\" data-depths=\"{}\"><img src=\"{png}\" alt=\"{alt}\"/><div class=\"mark\" hidden></div>\
+         <figcaption>{caption}</figcaption><div class=\"place\"><output title=\"The place under the pointer: x,y,z as in the file. A click keeps it\">\
+         </output> <label>radius <input type=\"number\" min=\"0\" step=\"any\" value=\"{}\"/></label>",
+        escaped(&places.camera.to_string()),
+        data_uri(&depths),
+        significant(radius)
+    );
+    for (flag, what) in [
+        ("ball", "faces in a ball"),
+        ("bump", "the bump or dent there"),
+        ("geodesic", "as far as the radius along the surface"),
+    ] {
+        let _ = write!(
+            out,
+            "<button data-flag=\"{flag}\" title=\"For the command line: {what}\" disabled>Copy as --{flag}</button>"
+        );
+    }
+    out.push_str("</div></figure>\n");
+    Ok(())
+}
+
+/// A radius to begin with: half of that of what has changed.
+fn radius(of: &Comparison<'_>) -> f64 {
+    let (surface, marked) = of.changed();
+    0.25 * surface.bounds(|t| marked[t]).diagonal()
 }
 
 /// What a comparison of both meshes shows.

@@ -1,10 +1,12 @@
 //! Before and after on one sheet: what has changed from near, and where it is on the whole mesh.
 
+use std::rc::Rc;
+
 use super::changes::Comparison;
 use super::surface::{MeshSide, V3};
 use crate::failure::Failure;
 use crate::figures::significant;
-use crate::picture::{self, Group, Layout, Palette, PictureOptions, Pixels, Scale, Shading, View};
+use crate::picture::{self, Group, Layout, Palette, PictureOptions, Pixels, Places, Scale, Shading, View};
 use crate::render::range::{self, Shown};
 
 /// Width and height of a picture.
@@ -14,46 +16,20 @@ const TILE: [usize; 2] = [520, 440];
 const SAMPLES: usize = 2;
 /// Room around what has changed.
 const MARGIN: f64 = 0.18;
-/// Where more than this share of what has changed is in front of the rest, it is seen from above.
-const ENOUGH: f64 = 0.7;
 
 impl Comparison<'_> {
-    /// How the surface is seen: from above what has changed, or beside that if something else hides it.
-    pub fn direction(&self, up: V3) -> V3 {
-        let usual = PictureOptions::default().direction;
-        let Some(normal) = self.mean_normal() else {
-            return usual;
-        };
+    fn direction(&self, up: V3) -> V3 {
         let (surface, marked) = self.changed();
-        let focus = surface.vertices_of(marked);
-        let seen = |direction: V3| {
-            let options = PictureOptions {
-                tile: [96, 96],
-                samples: 1,
-                margin: MARGIN,
-                direction,
-                up,
-                axes: false,
-            };
-            picture::seen(&view(surface, Shading::Marked(marked), &focus), &options, marked)
+        let options = PictureOptions {
+            margin: MARGIN,
+            up,
+            ..PictureOptions::default()
         };
-        let [first, second] = tangents(normal);
-        let mut best = (seen(normal), normal);
-        if best.0 > ENOUGH {
-            return normal;
-        }
-        for (a, b) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
-            let tilted = [0, 1, 2].map(|k| normal[k] + 0.9 * (a * first[k] + b * second[k]));
-            let seen = seen(tilted);
-            if seen > best.0 {
-                best = (seen, tilted);
-            }
-        }
-        best.1
+        picture::best_direction(surface.positions, surface.triangles, marked, &options)
     }
 
-    /// Before and after, painted.
-    pub fn sheet(&self, direction: Option<V3>, up: V3) -> Sheet {
+    /// Before and after, painted; if asked, with what each pixel shows.
+    pub fn sheet(&self, direction: Option<V3>, up: V3, with_places: bool) -> Sheet {
         let direction = direction.unwrap_or_else(|| self.direction(up));
         let [before, after] = [
             self.before.vertices_of(&self.gone),
@@ -121,6 +97,11 @@ impl Comparison<'_> {
             "the whole mesh: what has changed",
         ];
         Sheet {
+            places: if with_places {
+                places(&groups, side)
+            } else {
+                Vec::new()
+            },
             tiles: groups.iter().flat_map(picture::tiles).collect(),
             captions: captions.map(str::to_owned),
             scale,
@@ -177,9 +158,33 @@ impl Comparison<'_> {
 /// The pictures of a comparison.
 pub struct Sheet {
     tiles: Vec<Pixels>,
+    /// What the pixels of each tile show, if that was asked.
+    places: Vec<Rc<Places>>,
     captions: [String; 6],
     /// Of the picture that is painted by numbers.
     scale: Scale,
+}
+
+/// One of the pictures.
+pub struct Picture {
+    pub caption: String,
+    pub png: Vec<u8>,
+    pub places: Option<Rc<Places>>,
+}
+
+/// What the pixels of all tiles show: pictures of the same surface by the same camera have theirs in common. `painted` is the side that is painted by
+/// numbers.
+fn places(groups: &[Group<'_>; 2], painted: usize) -> Vec<Rc<Places>> {
+    let near: Vec<Rc<Places>> = picture::places(&groups[0], &[0, 1])
+        .into_iter()
+        .map(Rc::new)
+        .collect();
+    let whole = picture::places(&groups[1], &[0]).into_iter().map(Rc::new);
+    [0, 1, 0, 1, painted]
+        .map(|side| Rc::clone(&near[side]))
+        .into_iter()
+        .chain(whole)
+        .collect()
 }
 
 /// Which picture that is.
@@ -197,8 +202,8 @@ impl Sheet {
         picture::sheet(&self.tiles, &layout)
     }
 
-    /// Each by itself, with its caption.
-    pub fn pictures(&self) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    /// Each by itself.
+    pub fn pictures(&self) -> Result<Vec<Picture>, Failure> {
         let painted = [(0..1, &self.scale)];
         (0..self.tiles.len())
             .map(|k| {
@@ -208,7 +213,11 @@ impl Sheet {
                     ..Layout::default()
                 };
                 let png = picture::sheet(&self.tiles[k..=k], &layout)?;
-                Ok((self.captions[k].clone(), png))
+                Ok(Picture {
+                    caption: self.captions[k].clone(),
+                    png,
+                    places: self.places.get(k).cloned(),
+                })
             })
             .collect()
     }
@@ -221,20 +230,4 @@ fn view<'a>(surface: &MeshSide<'a>, shading: Shading<'a>, focus: &'a [bool]) -> 
         shading,
         focus,
     }
-}
-
-/// Two directions at right angles to one and to each other.
-fn tangents(normal: V3) -> [V3; 2] {
-    use crate::normals::{cross, unit};
-    let least = (0..3).fold(0, |least, k| {
-        if normal[k].abs() < normal[least].abs() {
-            k
-        } else {
-            least
-        }
-    });
-    let mut axis = [0.0; 3];
-    axis[least] = 1.0;
-    let first = unit(cross(axis, normal)).unwrap_or([1.0, 0.0, 0.0]);
-    [first, cross(normal, first)]
 }

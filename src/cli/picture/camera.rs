@@ -1,5 +1,7 @@
 //! Where the eye is, and where it sees a point.
 
+use serde_json::{Value, json};
+
 use super::view::{PictureOptions, V3, View};
 use crate::normals::{cross, dot, sub, unit};
 
@@ -129,6 +131,14 @@ impl Camera {
             y: 0.5 * self.size[1] as f64 - self.scale * (y - self.middle[1]),
             w,
         }
+    }
+
+    /// Its numbers, as [`Places`](super::places::Places) says.
+    pub fn described(&self) -> Value {
+        json!({
+            "centre": self.centre, "distance": self.distance, "right": self.right, "up": self.up, "back": self.back,
+            "middle": self.middle, "scale": self.scale, "size": self.size,
+        })
     }
 
     /// The eye.

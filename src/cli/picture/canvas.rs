@@ -53,19 +53,19 @@ impl Canvas {
         is_inside && self.depth[point.y as usize * self.size[0] + point.x as usize] <= point.w * (1.0 + NEAR)
     }
 
-    /// The number of the triangle that each sample shows; `u32::MAX` where there is none.
-    pub fn seen(view: &View<'_>, camera: &Camera, options: &PictureOptions) -> Vec<u32> {
+    /// What each sample shows: one over its distance, 0 where there is nothing, and the number of the triangle, which is `u32::MAX` there.
+    pub fn nearest(view: &View<'_>, camera: &Camera, options: &PictureOptions) -> Vec<(f64, u32)> {
         let size = options.tile.map(|pixels| pixels * options.samples);
-        let (mut depth, mut seen) = (vec![0.0; size[0] * size[1]], vec![u32::MAX; size[0] * size[1]]);
+        let mut nearest = vec![(0.0, u32::MAX); size[0] * size[1]];
         let projected: Vec<Projected> = view.positions.iter().map(|&p| camera.project(p)).collect();
         for (t, corners) in (0..).zip(view.triangles) {
             samples(corners.map(|v| projected[v as usize]), size, |sample, w, _| {
-                if w > depth[sample] {
-                    (depth[sample], seen[sample]) = (w, t);
+                if w > nearest[sample].0 {
+                    nearest[sample] = (w, t);
                 }
             });
         }
-        seen
+        nearest
     }
 
     /// Fills the samples that nothing nearer covers.

@@ -87,7 +87,7 @@ impl Pixels {
         let mut encoder = Encoder::new(bytes, self.size[0], self.size[1]);
         encoder.set_color(ColorType::Rgb);
         encoder.set_depth(BitDepth::Eight);
-        encoder.set_compression(Compression::High);
+        encoder.set_compression(Compression::Balanced);
         encoder.set_filter(Filter::Adaptive);
         encoder
     }
