@@ -18,7 +18,7 @@ addon_zip() {
     local top=$tree/fairmesh_blender
     rm -rf "$tree"
     mkdir -p "$top/lib/$platform" "$top/fairmesh"
-    cp bindings/blender/addon/*.py bindings/blender/addon/LICENSE "$top"
+    cp -r bindings/blender/addon/*.py bindings/blender/addon/preset_files bindings/blender/addon/LICENSE "$top"
     sed "s/^platforms = .*/platforms = [\"$platform\"]/" bindings/blender/addon/blender_manifest.toml >"$top/blender_manifest.toml"
     bindings/declarations.sh python
     cp bindings/python/src/fairmesh/*.py LICENSE-MIT LICENSE-APACHE "$top/fairmesh"

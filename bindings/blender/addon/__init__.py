@@ -41,6 +41,7 @@ if HAS_NUMPY:
         live_tool,
         manual,
         panel,
+        presets,
         settings,
     )
 
@@ -57,6 +58,7 @@ if HAS_NUMPY:
         erase_operator,
         curvature_operator,
         manual,
+        presets,
         panel,
     )
 else:

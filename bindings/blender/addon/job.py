@@ -102,7 +102,7 @@ class Background:
     `draw_options(layout)`.
     """
 
-    bl_options = {"REGISTER", "UNDO"}
+    bl_options = {"REGISTER", "UNDO", "PRESET"}
 
     @classmethod
     def poll(cls, context):

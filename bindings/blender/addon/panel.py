@@ -4,7 +4,7 @@
 import blf
 import bpy
 
-from . import curvature_operator, found, manual
+from . import curvature_operator, found, manual, presets
 from .bridge_operator import MESH_OT_fairmesh_bridge
 from .erase_operator import MESH_OT_fairmesh_erase_and_fill
 from .fair_operator import MESH_OT_fairmesh_fair
@@ -41,6 +41,7 @@ class VIEW3D_PT_fairmesh(_Sidebar, bpy.types.Panel):
 
     def draw_header_preset(self, context):
         self.layout.operator("wm.url_open", text="", icon="HELP", emboss=False).url = manual.url()
+        presets.FAIRMESH_PT_presets.draw_panel_header(self.layout)
 
     def draw(self, context):
         column = self.layout.column()

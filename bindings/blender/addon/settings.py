@@ -21,8 +21,18 @@ _OPTIONS = (
 )
 
 
+def names():
+    """Of all options."""
+    return [name for options in _OPTIONS for name in options.__annotations__]
+
+
 class FAIRMESH_PG_settings(*_OPTIONS, bpy.types.PropertyGroup):
     """The options in the sidebar, one set for each scene."""
+
+    def reset(self):
+        """Sets all options to what they are at first."""
+        for name in names():
+            self.property_unset(name)
 
     def hand_to(self, button, operator):
         """Sets the options of a button that runs an operator of this class."""

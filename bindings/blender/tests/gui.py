@@ -22,6 +22,8 @@ from window import call, click, picture, press, view, wait_until
 
 # From the top of the sidebar to the first panel of options, in pixels.
 OPTIONS = 237
+# From its upper left corner to the icon of presets.
+PRESETS = 170, 15
 
 
 def running():
@@ -67,6 +69,7 @@ def steps():
     yield from escape_from_a_busy_library()
     yield from small_region()
     yield from whole_message()
+    yield from presets()
     yield from curvature()
     yield from disabled_in_mid_run()
 
@@ -222,6 +225,20 @@ def whole_message():
     blf.size(0, 11.0)
     widest = max(blf.dimensions(0, line)[0] for line in lines)
     assert widest <= window.sidebar().width - part("panel").BESIDE, widest
+
+
+def presets():
+    """The icon in the panel's header opens a list; a click on an entry sets the options."""
+    settings = bpy.context.scene.fairmesh
+    x, y = window.sidebar().x, window.sidebar().y + window.sidebar().height
+    yield from click(x + PRESETS[0], y - PRESETS[1])
+    picture("presets")
+    window.move(x + PRESETS[0], y - PRESETS[1] - 60)
+    yield 0.5
+    yield from click(x + PRESETS[0] - 60, y - PRESETS[1] - 82)
+    picture("preset_taken")
+    assert (settings.relax_rim, settings.continuity) in {(3, 0.0), (0, 1.0)}, "no preset was taken"
+    settings.reset()
 
 
 def curvature():
