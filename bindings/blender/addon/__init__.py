@@ -42,11 +42,13 @@ if HAS_NUMPY:
         manual,
         panel,
         presets,
+        selected,
         settings,
     )
 
     _PARTS = (
         settings,
+        selected,
         found,
         fair_operator,
         live_edits,

@@ -19,6 +19,15 @@ class MESH_OT_fairmesh_bridge(Background, filling.Filling, BridgeOptions, bpy.ty
         "divided, or between two parts"
     )
 
+    asks = "select two runs of boundary edges of one object, each without a gap, that do not touch each other"
+
+    @classmethod
+    def lacks(cls, context, facts):
+        has_width = context.scene.fairmesh.width > 0
+        if any(len(_runs(beside)) == 2 for beside in facts.beside) or (has_width and facts.is_open):
+            return None
+        return _refusal(facts.beside)
+
     def draw_options(self, layout):
         self.draw_bridge(layout)
         self.draw_filling(layout)
@@ -27,13 +36,13 @@ class MESH_OT_fairmesh_bridge(Background, filling.Filling, BridgeOptions, bpy.ty
         chosen = []
         meshes = [snapshot.read(obj) for obj in context.objects_in_mode_unique_data]
         for mesh in meshes:
-            runs = _runs(mesh)
+            runs = _runs(_beside(mesh))
             if self.width > 0 and not runs:
                 runs = _single(mesh)
             if len(runs) == 2:
                 chosen.append(filling.Holes(mesh, [], mesh.triangles, join=runs))
         if not chosen:
-            self.tell({"ERROR"}, _refusal(meshes))
+            self.tell({"ERROR"}, _refusal([_beside(mesh) for mesh in meshes]))
             return None
         # The thread reads no properties.
         fill_rest, width = self.fill_rest, self.width
@@ -59,16 +68,12 @@ class MESH_OT_fairmesh_bridge(Background, filling.Filling, BridgeOptions, bpy.ty
 
 
 def _refusal(meshes):
-    """Why there are no two runs in any of the meshes."""
-    if any(beside and all(len(others) == 2 for others in beside.values()) for beside in map(_beside, meshes)):
+    """Why there are no two runs in any of the meshes, of which each is told as by `_beside`."""
+    if any(beside and all(len(others) == 2 for others in beside.values()) for beside in meshes):
         return advice.named(
             "Whole loops are selected: for these there is {fairmesh_join_loops}. A bridge is for parts of loops"
         )
-    return messages.not_selected(
-        meshes,
-        "These are not two runs of edges",
-        "select two runs of boundary edges of one object, each without a gap, that do not touch each other",
-    )
+    return f"These are not two runs of edges: {MESH_OT_fairmesh_bridge.asks}"
 
 
 def _beside(mesh):
@@ -80,9 +85,8 @@ def _beside(mesh):
     return beside
 
 
-def _runs(mesh):
+def _runs(beside):
     """The runs of selected boundary edges: their vertices, one after the other."""
-    beside = _beside(mesh)
     runs = []
     ends = [v for v, others in beside.items() if len(others) == 1]
     seen = set()

@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 
-from . import advice, fairmesh, filling, menus, messages, snapshot
+from . import advice, fairmesh, filling, menus, messages, selected, snapshot
 from .job import Background
 from .patch_options import CleanOptions, OuterOptions, RimOptions
 
@@ -21,6 +21,12 @@ class MESH_OT_fairmesh_erase_and_fill(
         "for bumps, noise and tangles whose old shape is of no use"
     )
 
+    asks = "select the faces that are to be replaced"
+
+    @classmethod
+    def missing(cls, context):
+        return None if selected.faces(context) else f"No face is selected: {cls.asks}"
+
     def draw_options(self, layout):
         self.draw_outer(layout)
         self.draw_clean(layout)
@@ -31,8 +37,7 @@ class MESH_OT_fairmesh_erase_and_fill(
         every = [snapshot.read(obj) for obj in context.objects_in_mode_unique_data]
         meshes = [mesh for mesh in every if mesh.face_selected.any()]
         if not meshes:
-            why = messages.not_selected(every, "No face is selected", "select the faces that are to be replaced")
-            self.tell({"ERROR"}, why)
+            self.tell({"ERROR"}, f"No face is selected: {self.asks}")
             return None
         chosen = []
         for mesh in meshes:

@@ -44,7 +44,7 @@ class MESH_OT_fairmesh_fair(Background, RegionOptions, FairingOptions, bpy.types
         every = [self._region(context, obj) for obj in context.objects_in_mode_unique_data]
         regions = [r for r in every if r.free.any()]
         if not regions:
-            self.tell({"ERROR"}, messages.not_selected((r.mesh for r in every), *self.nothing_free(context)))
+            self.tell({"ERROR"}, ": ".join(self.nothing_free(context)))
             return None
 
         def compute(part, monitor):

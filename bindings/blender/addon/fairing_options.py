@@ -21,6 +21,14 @@ class RegionOptions:
     def draw_region(self, layout):
         choice(layout, self, "region", "Region")
 
+    asks = "select what is to move"
+
+    @classmethod
+    def lacks(cls, context, facts):
+        settings = context.scene.fairmesh
+        is_free = facts.inside if settings.is_by_faces(context) else facts.free
+        return None if is_free else ": ".join(settings.nothing_free(context))
+
     def is_by_faces(self, context):
         if self.region == "AUTO":
             return tuple(context.tool_settings.mesh_select_mode) == (False, False, True)

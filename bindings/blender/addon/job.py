@@ -9,7 +9,7 @@ import threading
 
 import bpy
 
-from . import fairmesh, found, messages, native, snapshot
+from . import fairmesh, found, messages, native, selected, snapshot
 
 # A run shorter than this shows no progress.
 AT_ONCE = 0.1
@@ -97,7 +97,8 @@ def remove_modal(operator):
 class Background:
     """Mixed into operators that compute: modal with progress and ESC from the interface, at once from scripts and F9.
 
-    They are operators of Edit mode. Each has `prepare(context)`, which reads and returns a function `work(monitor)`, or
+    They are operators of Edit mode. Each has `asks`, what is to be selected, and `lacks(context, facts)`, what then is
+    missing for a button of the sidebar, or None; `prepare(context)`, which reads and returns a function `work(monitor)`, or
     reports and returns None; `finish(context, result)`, which writes, reports and returns what an operator returns; and
     `draw_options(layout)`.
     """
@@ -106,7 +107,19 @@ class Background:
 
     @classmethod
     def poll(cls, context):
-        return context.mode == "EDIT_MESH"
+        why = cls.missing(context) if context.mode == "EDIT_MESH" else "Works in Edit mode: press Tab"
+        if why:
+            # The button's tooltip says it.
+            cls.poll_message_set(why)
+        return not why
+
+    @classmethod
+    def missing(cls, context):
+        """What has to be selected first, a sentence; None: it can run."""
+        if not selected.vertices(context):
+            return f"Nothing is selected: {cls.asks}"
+        facts = selected.facts(context)
+        return cls.lacks(context, facts) if facts is not None else None
 
     def draw(self, context):
         layout = self.layout

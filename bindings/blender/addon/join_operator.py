@@ -20,6 +20,15 @@ class MESH_OT_fairmesh_join_loops(
         "ends of tubes, the sides of a gap, a hole and the island in it"
     )
 
+    asks = (
+        "select two or more boundary loops of one object (Alt-click on an edge, Shift-Alt-click on others). "
+        "Parts in several objects: join the objects first (Ctrl-J)"
+    )
+
+    @classmethod
+    def lacks(cls, context, facts):
+        return None if facts.loops > 1 else f"One loop alone is selected, or none: {cls.asks}"
+
     def draw_options(self, layout):
         self.draw_groups(layout)
         self.draw_guides(layout)
@@ -41,9 +50,6 @@ class MESH_OT_fairmesh_join_loops(
         """Sets which loops are joined; none: an empty list."""
         mesh = holes.mesh
         selected = filling.selected(holes, at_least=2)
-        is_touched = any(mesh.vertex_selected[loop.vertices].any() for _, loop in holes.loops)
-        if self.groups == "AUTO" and not is_touched and len(holes.loops) > 1:
-            selected = holes.loops
         shown = [(index, loop) for index, loop in selected if not mesh.vertex_hidden[loop.vertices].any()]
         if len(shown) < len(selected):
             holes.skipped.append((len(selected) - len(shown), "a vertex is hidden"))
@@ -63,12 +69,7 @@ class MESH_OT_fairmesh_join_loops(
                 return f"Nothing was joined, {count} left out: {why}"
         if self.groups == "AUTO":
             return "No two loops have a common patch that bends less than patches of their own: select those to be joined"
-        return messages.not_selected(
-            (holes.mesh for holes in meshes),
-            "One loop alone is selected, or none",
-            "select two or more boundary loops of one object (Alt-click on an edge, Shift-Alt-click on others). "
-            "Parts in several objects: join the objects first (Ctrl-J)",
-        )
+        return f"One loop alone is selected, or none: {self.asks}"
 
     def finish(self, context, chosen):
         # Where nothing became of any group, the mesh stays as it is, selection included.

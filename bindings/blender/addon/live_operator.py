@@ -79,7 +79,7 @@ class MESH_OT_fairmesh_live(Background, RegionOptions, FairingOptions, bpy.types
         free = region.free_mask(mesh, self.is_by_faces(context))
         count = np.count_nonzero(free)
         if not count:
-            self.tell({"ERROR"}, messages.not_selected([mesh], *self.nothing_free(context)))
+            self.tell({"ERROR"}, ": ".join(self.nothing_free(context)))
             return None
         symmetry = region.Symmetry(mesh, free)
         mesh.triangles = triangulation.cut_evenly(mesh, free)

@@ -13,6 +13,7 @@ _SECTIONS = (
     ("bpy.ops.mesh.fairmesh_live*", "fair-live"),
     ("bpy.types.fairmesh_pg_live_edit*", "fair-live"),
     ("bpy.ops.mesh.fairmesh_fill_holes*", "fill-hole-and-fair"),
+    ("bpy.ops.mesh.fairmesh_fill_all_holes*", "fill-hole-and-fair"),
     ("bpy.ops.mesh.fairmesh_join_loops*", "join-loops-and-fair"),
     ("bpy.ops.mesh.fairmesh_bridge*", "bridge-edges-and-fair"),
     ("bpy.ops.mesh.fairmesh_erase_and_fill*", "erase-and-fill"),

@@ -33,12 +33,6 @@ def name_before(parts, part):
     return f"{part.mesh.object.name}: " if len(parts) > 1 else ""
 
 
-def not_selected(meshes, why, advice):
-    """Nothing can be done, for `why`, or because nothing is selected at all; `meshes`: every `Snapshot` in Edit mode."""
-    is_any = any(mesh.vertex_selected.any() for mesh in meshes)
-    return f"{why if is_any else 'Nothing is selected'}: {advice}"
-
-
 def refused(why, subject):
     """The text for a `fairmesh.FairmeshError`; what it names can be selected then. `subject`: the `Snapshot`."""
     # Where nothing of Blender's is named, the library may have an argument to name.

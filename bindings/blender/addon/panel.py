@@ -4,11 +4,11 @@
 import blf
 import bpy
 
-from . import curvature_operator, found, manual, presets
+from . import curvature_operator, found, manual, presets, selected
 from .bridge_operator import MESH_OT_fairmesh_bridge
 from .erase_operator import MESH_OT_fairmesh_erase_and_fill
 from .fair_operator import MESH_OT_fairmesh_fair
-from .fill_operator import MESH_OT_fairmesh_fill_holes
+from .fill_operator import MESH_OT_fairmesh_fill_all_holes, MESH_OT_fairmesh_fill_holes
 from .join_operator import MESH_OT_fairmesh_join_loops
 from .live_operator import MESH_OT_fairmesh_live
 
@@ -19,6 +19,7 @@ _OPERATORS = (
     (MESH_OT_fairmesh_join_loops, "AUTOMERGE_ON"),
     (MESH_OT_fairmesh_bridge, "MOD_SKIN"),
     (MESH_OT_fairmesh_fill_holes, "MESH_DATA"),
+    (MESH_OT_fairmesh_fill_all_holes, "MESH_DATA"),
 )
 
 
@@ -46,19 +47,13 @@ class VIEW3D_PT_fairmesh(_Sidebar, bpy.types.Panel):
     def draw(self, context):
         column = self.layout.column()
         settings = context.scene.fairmesh
+        column.context_pointer_set(selected.SIDEBAR, settings)
         for operator, icon in _OPERATORS:
             settings.hand_to(column.operator(operator.bl_idname, icon=icon), operator)
-        fill_all = column.operator(MESH_OT_fairmesh_fill_holes.bl_idname, text="Fill All Holes", icon="MESH_DATA")
-        settings.hand_to(fill_all, MESH_OT_fairmesh_fill_holes)
-        fill_all.scope = "ALL"
-        # In all holes nobody has selected pairs.
-        fill_all.guides = False
         row = column.row(align=True)
         row.operator("mesh.fairmesh_show_curvature", icon="COLOR")
         if curvature_operator.is_shown(context):
             row.operator("mesh.fairmesh_hide_curvature", text="", icon="X")
-        if context.mode != "EDIT_MESH":
-            column.label(text="Fairing: in Edit mode")
         if found.said(context):
             _draw_said(column.box().column(align=True), context)
 
@@ -128,7 +123,7 @@ class VIEW3D_PT_fairmesh_holes(_Options, bpy.types.Panel):
     def draw_options(self, layout, settings):
         layout.label(text="Fill All Holes")
         settings.draw_limits(layout)
-        layout.prop(settings, "join")
+        settings.draw_related(layout)
         settings.draw_groups(layout)
         settings.draw_bridge(layout)
 

@@ -122,8 +122,8 @@ class OuterOptions:
         layout.prop(self, "outer")
 
 
-class HoleOptions:
-    """Which of all holes are filled, and how."""
+class LimitOptions:
+    """Which of all holes are filled."""
 
     max_edges: count("Most Edges", "Fill All Holes: those of more edges stay open. 0: holes of any size are filled")
     max_length: distance(
@@ -136,11 +136,6 @@ class HoleOptions:
     except_longest: count(
         "But the Largest", "Fill All Holes: so many stay open, those with the longest boundaries of each object"
     )
-    join: switch(
-        "Join Related Loops",
-        "Loops whose common patch bends less than patches of their own get one: the two sides of a gap, "
-        "ends of tubes that face each other",
-    )
 
     def draw_limits(self, layout):
         layout.prop(self, "max_edges")
@@ -148,6 +143,19 @@ class HoleOptions:
         layout.prop(self, "max_diagonal")
         layout.prop(self, "max_area")
         layout.prop(self, "except_longest")
+
+
+class RelatedOptions:
+    """Whether holes are joined."""
+
+    join: switch(
+        "Join Related Loops",
+        "Loops whose common patch bends less than patches of their own get one: the two sides of a gap, "
+        "ends of tubes that face each other",
+    )
+
+    def draw_related(self, layout):
+        layout.prop(self, "join")
 
 
 class JoinOptions:
@@ -160,8 +168,7 @@ class JoinOptions:
         (
             "AUTO",
             "Where It Bends Less",
-            "Loops whose common patch bends less than patches of their own would; the others are left open. "
-            "Without a selection: of all loops",
+            "Loops whose common patch bends less than patches of their own would; the others are left open",
         ),
     )
 

@@ -15,7 +15,8 @@ _OPTIONS = (
     patch_options.CleanOptions,
     patch_options.GuideOptions,
     patch_options.OuterOptions,
-    patch_options.HoleOptions,
+    patch_options.LimitOptions,
+    patch_options.RelatedOptions,
     patch_options.JoinOptions,
     patch_options.BridgeOptions,
 )

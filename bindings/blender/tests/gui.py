@@ -69,6 +69,7 @@ def steps():
     yield from escape_from_a_busy_library()
     yield from small_region()
     yield from whole_message()
+    yield from grey_buttons()
     yield from presets()
     yield from curvature()
     yield from disabled_in_mid_run()
@@ -95,7 +96,17 @@ def labels_fit():
             for item in option.enum_items:
                 assert needs(item.name, 34) <= min(room, values), item.name
         assert option.type == "BOOLEAN" or needs(option.name) <= names, option.name
-    for name in ("fair", "live", "fill_holes", "join_loops", "bridge", "erase_and_fill", "show_curvature", "select_found"):
+    for name in (
+        "fair",
+        "live",
+        "fill_holes",
+        "fill_all_holes",
+        "join_loops",
+        "bridge",
+        "erase_and_fill",
+        "show_curvature",
+        "select_found",
+    ):
         assert needs(getattr(bpy.ops.mesh, f"fairmesh_{name}").get_rna_type().name, 40) <= room, name
     print(f"the sidebar has room for {room} pixels")
 
@@ -225,6 +236,19 @@ def whole_message():
     blf.size(0, 11.0)
     widest = max(blf.dimensions(0, line)[0] for line in lines)
     assert widest <= window.sidebar().width - part("panel").BESIDE, widest
+
+
+def grey_buttons():
+    """What cannot run is grey, and its tooltip says why."""
+    common.clear()
+    common.edit(common.irregular_sphere(8))
+    yield 1.0
+    # The tooltip of Join Loops and Fair.
+    for step in range(8):
+        window.move(window.sidebar().x + 80 + step, window.sidebar().y + window.sidebar().height - 45 - 3 * 23)
+        yield 0.3
+    yield 2.0
+    picture("grey")
 
 
 def presets():

@@ -576,12 +576,12 @@ def refused(obj, *parts):
 def test_nothing_selected():
     obj, _ = dented()
     bpy.ops.mesh.select_all(action="DESELECT")
-    refused(obj, "Nothing is selected", "select faces with vertices inside")
+    refused(obj, "Nothing is selected: select what is to move")
     next(iter(bmesh.from_edit_mesh(obj.data).faces)).select_set(True)
     refused(obj, "No vertex can move", "select faces with vertices inside")
     bpy.ops.mesh.select_all(action="DESELECT")
     bpy.context.tool_settings.mesh_select_mode = (True, False, False)
-    refused(obj, "Nothing is selected", "select vertices inside the mesh")
+    refused(obj, "Nothing is selected: select what is to move")
 
 
 def test_nothing_fixed():

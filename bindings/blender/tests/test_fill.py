@@ -24,6 +24,7 @@ from common import (
 BAR = 1e-5
 common.install(runner.arguments()[0])
 fill = bpy.ops.mesh.fairmesh_fill_holes
+fill_all = bpy.ops.mesh.fairmesh_fill_all_holes
 show = bpy.ops.mesh.fairmesh_show_curvature
 
 
@@ -160,11 +161,11 @@ def test_only_the_selected_hole():
 def test_all_holes_up_to_a_size():
     obj = two_holes()
     small = len([e for e in boundary_edges(obj) if middle(e).z < 0])
-    fill(scope="ALL", max_edges=small)
+    fill_all(max_edges=small)
     assert boundary_edges(obj) and all(middle(e).z > 0 for e in boundary_edges(obj))
-    fill(scope="ALL")
+    fill_all()
     assert not boundary_edges(obj)
-    runner.raises(lambda: fill(scope="ALL"), "The mesh has no hole")
+    runner.raises(fill_all, "The mesh has no hole")
 
 
 def test_holes_with_hidden_vertices_stay_open():
@@ -172,7 +173,7 @@ def test_holes_with_hidden_vertices_stay_open():
     for vertex in [v for v in bmesh.from_edit_mesh(obj.data).verts if v.co.z < -0.9]:
         vertex.hide_set(True)
     bmesh.update_edit_mesh(obj.data)
-    fill(scope="ALL")
+    fill_all()
     left = boundary_edges(obj)
     assert left and all(middle(e).z < 0 for e in left)
     assert all(e.hide for e in left)

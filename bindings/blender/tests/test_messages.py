@@ -104,7 +104,7 @@ def test_faces_that_hang_at_single_vertices_are_no_open_surface():
         others = [mesh.verts.new(1.3 * tip.co + 0.1 * (k - 0.5) * tip.normal.orthogonal()) for k in range(2)]
         mesh.faces.new([tip, *others])
     bmesh.update_edit_mesh(obj.data)
-    runner.raises(lambda: bpy.ops.mesh.fairmesh_fill_holes(scope="ALL"), "10 left open", "hang", "Delete these faces")
+    runner.raises(bpy.ops.mesh.fairmesh_fill_all_holes, "10 left open", "hang", "Delete these faces")
     assert "outer boundary of an open surface" not in said(), said()
     assert bpy.ops.mesh.fairmesh_select_found() == {"FINISHED"}
     assert sum(face.select for face in bmesh.from_edit_mesh(obj.data).faces) == 10
@@ -132,7 +132,8 @@ def test_faces_have_blenders_numbers():
 
 def test_the_whole_message_stays_for_the_sidebar():
     obj = common.tubes((1, (0, 0, 0), (0, 0, 2)))
-    message = runner.raises(bpy.ops.mesh.fairmesh_bridge, "select two runs")
+    bpy.ops.mesh.select_all(action="SELECT")
+    message = runner.raises(bpy.ops.mesh.fairmesh_bridge, "Whole loops")
     assert said() in message
     common.select_boundary(obj)
     assert bpy.ops.mesh.fairmesh_fill_holes() == {"FINISHED"}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the sidebar hands to the operators: presets."""
+"""The sidebar: which buttons are grey and why, and presets."""
 
 import sys
 from pathlib import Path
@@ -14,6 +14,69 @@ from common import part
 
 common.install(runner.arguments()[0])
 AXES = np.array([1.0, 0.7, 0.8])
+
+
+# All that need something.
+OPERATORS = ("fair", "live", "erase_and_fill", "join_loops", "bridge", "fill_holes", "fill_all_holes")
+
+
+def lit():
+    """The buttons of the sidebar that can be pressed."""
+    bpy.context.view_layer.update()
+    with bpy.context.temp_override(fairmesh_sidebar=bpy.context.scene.fairmesh):
+        return {name for name in OPERATORS if getattr(bpy.ops.mesh, f"fairmesh_{name}").poll()}
+
+
+def grey(name, *parts):
+    """Has to be refused, for a reason with these parts, which is the button's tooltip."""
+    assert name not in lit(), name
+    with bpy.context.temp_override(fairmesh_sidebar=bpy.context.scene.fairmesh):
+        runner.raises(getattr(bpy.ops.mesh, f"fairmesh_{name}"), "poll()", *parts)
+
+
+def test_what_cannot_run_is_grey_and_says_why():
+    obj = common.irregular_sphere(8)
+    assert not lit()
+    grey("fair", "Edit mode", "Tab")
+    common.edit(obj)
+    assert not lit(), "nothing is selected, and there is no hole"
+    grey("fair", "Nothing is selected")
+    grey("fill_all_holes", "The mesh has no hole")
+    next(iter(bmesh.from_edit_mesh(obj.data).faces)).select_set(True)
+    bmesh.update_edit_mesh(obj.data)
+    assert lit() == {"erase_and_fill"}, lit()
+    grey("fair", "No vertex can move", "Region: Selected Vertices")
+    grey("join_loops", "select two or more boundary loops")
+    grey("fill_holes", "Alt-click")
+    bpy.context.scene.fairmesh.region = "VERTICES"
+    assert lit() == {"erase_and_fill", "fair", "live"}, lit()
+    bpy.context.scene.fairmesh.reset()
+    common.select_faces(obj, lambda face: face.calc_center_median().z > 0)
+    assert lit() == {"erase_and_fill", "fair", "live"}, lit()
+
+
+def test_loops_and_runs_light_their_buttons():
+    obj = common.tubes((1, (0, 0, 0), (0, 0, 2)), (1, (0, 0, 3), (0, 0, 5)))
+    assert lit() == {"fill_all_holes"}, lit()
+    common.select_boundary(obj, lambda edge: abs(edge.verts[0].co.z - 2) < 0.1)
+    assert lit() == {"fill_all_holes", "fill_holes"}, lit()
+    grey("bridge", "Whole loops", "Join Loops and Fair")
+    common.select_boundary(obj, lambda edge: abs(edge.verts[0].co.z - 3) < 0.1)
+    assert lit() == {"fill_all_holes", "fill_holes", "join_loops"}, lit()
+    bpy.ops.mesh.select_all(action="DESELECT")
+    near = [e for e in common.boundary_edges(obj) if 1.9 < e.verts[0].co.z < 3.1]
+    for edge in near:
+        edge.select_set(all(v.co.x > 0.8 for v in edge.verts))
+    bmesh.update_edit_mesh(obj.data)
+    assert lit() == {"fill_all_holes", "fill_holes", "join_loops", "bridge"}, lit()
+
+
+def test_a_large_mesh_is_not_looked_through():
+    obj = common.uv_sphere(200, 140)
+    common.edit(obj)
+    next(iter(bmesh.from_edit_mesh(obj.data).faces)).select_set(True)
+    bmesh.update_edit_mesh(obj.data)
+    assert lit() == set(OPERATORS), lit()
 
 
 def take(preset):
