@@ -133,5 +133,5 @@ fn picture(triangles: &[[u32; 3]], start: &[[f64; 3]], result: &[[f64; 3]]) -> R
         columns: 2,
         ..Layout::default()
     };
-    picture::render(&views, &options, &layout)
+    picture::render(&[Vec::from(views)], &options, &layout)
 }

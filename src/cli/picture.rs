@@ -41,20 +41,26 @@ pub struct Group<'a> {
     pub labels: &'a [Label],
 }
 
-/// Paints the views in rows and encodes the picture.
-pub fn render(views: &[View<'_>], options: &PictureOptions, layout: &Layout<'_>) -> Result<Vec<u8>, Failure> {
-    let group = Group {
-        views,
-        options,
-        framed: &[],
-        labels: &[],
-    };
-    sheet(&tiles(&group), layout)
+/// Paints views and encodes the picture. Those of one list are seen by the same camera; the lists take turns in the rows.
+pub fn render(
+    views: &[Vec<View<'_>>],
+    options: &PictureOptions,
+    layout: &Layout<'_>,
+) -> Result<Vec<u8>, Failure> {
+    let painted = views.iter().map(|views| {
+        tiles(&Group {
+            views,
+            options,
+            framed: &[],
+            labels: &[],
+        })
+    });
+    sheet(&sheet::in_turns(painted.collect()), layout)
 }
 
-/// The views as they turn around the picture's vertical, in so many frames.
+/// The views, as in [`render`], as they turn around the picture's vertical, in so many frames.
 pub fn turning(
-    views: &[View<'_>],
+    views: &[Vec<View<'_>>],
     options: &PictureOptions,
     layout: &Layout<'_>,
     frames: (usize, Animation),
@@ -119,8 +125,9 @@ fn frame(camera: &Camera, group: &Group<'_>) -> Option<[[i64; 2]; 2]> {
     is_small.then(|| [corner(low, -FRAME), corner(high, FRAME)])
 }
 
-/// What takes less than this share of a picture gets a frame, so many pixels around it.
-const LOST: f64 = 0.3;
+/// What takes less than this share of a picture is lost in it: it gets a frame, so many pixels around it, or a camera of its own. By looks: at half a
+/// part of a mesh beside it is a speck, at double two versions of a mesh, one without its base, are shown in two sizes.
+pub const LOST: f64 = 0.3;
 const FRAME: i64 = 8;
 
 #[cfg(test)]
@@ -189,7 +196,7 @@ mod tests {
             shading,
             focus: &[],
         };
-        decode(&render(&[view], &from_above(), &Layout::default()).unwrap())
+        decode(&render(&[vec![view]], &from_above(), &Layout::default()).unwrap())
     }
 
     fn pixel((pixels, [width, _]): &(Vec<u8>, [usize; 2]), x: usize, y: usize) -> [u8; 3] {
@@ -315,7 +322,7 @@ mod tests {
                 shading,
                 focus: &[],
             };
-            let (_, size) = decode(&render(&[view(), view(), view()], &options, &two).unwrap());
+            let (_, size) = decode(&render(&[vec![view(), view(), view()]], &options, &two).unwrap());
             assert_eq!(size, [16, 16]);
         }
         render(&[], &options, &two).unwrap_err();
@@ -345,7 +352,7 @@ mod tests {
             scales: &[(0..1, &scale)],
             ..Layout::default()
         };
-        let shown = decode(&render(&[view], &options, &layout).unwrap());
+        let shown = decode(&render(&[vec![view]], &options, &layout).unwrap());
         let (low, high) = (pixel(&shown, 6, 30), pixel(&shown, 53, 30));
         assert!(low[2] > 2 * low[1] || low[2] > low[0], "{low:?}");
         assert!(high[0] > 2 * high[2], "{high:?}");

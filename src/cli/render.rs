@@ -11,6 +11,7 @@ use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
 
 use crate::answer::Answer;
+use crate::bounds::Bounds;
 use crate::explain;
 use crate::failure::Failure;
 use crate::formats::colours::Colours;
@@ -44,8 +45,9 @@ enum Shade {
 /// What `fairmesh render` is asked.
 #[derive(Debug, Args)]
 pub struct RenderArgs {
-    /// Meshes, shown side by side: .ply, .obj, .off or .stl, optionally .gz; '-': stdin
-    #[arg(required = true)]
+    /// Meshes, shown side by side: .ply, .obj, .off or .stl, optionally .gz; '-': stdin.
+    /// By one camera, unless one would be lost among the others: then by one each
+    #[arg(required = true, verbatim_doc_comment)]
     inputs: Vec<PathBuf>,
     #[command(flatten)]
     pipe: PipeArgs,
@@ -134,7 +136,8 @@ pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
         0 | 1 => args.inputs.len().min(MOST_COLUMNS),
         _ => args.inputs.len(),
     };
-    let captions: Vec<String> = captions.iter().cycle().take(views.len()).cloned().collect();
+    let count = captions.len() * args.shade.len();
+    let captions: Vec<String> = captions.into_iter().cycle().take(count).collect();
     let layout = Layout {
         columns,
         captions: &captions,
@@ -200,10 +203,30 @@ impl<'a> Scene<'a> {
         })
     }
 
-    /// A row of all meshes for each shade.
-    fn views(&self, shades: &[Shade]) -> Vec<View<'_>> {
-        let row = |&shade: &Shade| (0..self.meshes.len()).map(move |k| self.view(shade, k));
-        shades.iter().flat_map(row).collect()
+    /// A row of all meshes for each shade, in one list. Where a mesh would be lost among the others, each has a list, and so a camera, of its own.
+    fn views(&self, shades: &[Shade]) -> Vec<Vec<View<'_>>> {
+        let of = |meshes: Range<usize>| {
+            let row = move |&shade: &Shade| meshes.clone().map(move |k| self.view(shade, k));
+            shades.iter().flat_map(row).collect()
+        };
+        let count = self.meshes.len();
+        match shades.contains(&Shade::Distance) || self.are_together() {
+            true => vec![of(0..count)],
+            false => (0..count).map(|k| of(k..k + 1)).collect(),
+        }
+    }
+
+    /// Whether each mesh takes a good part of the box around all.
+    fn are_together(&self) -> bool {
+        let boxes: Vec<Bounds> = self
+            .meshes
+            .iter()
+            .map(|mesh| Bounds::of(&mesh.positions, &mesh.triangles))
+            .collect();
+        let all = boxes.iter().fold(Bounds::of(&[], &[]), |all, one| all.with(one));
+        boxes
+            .iter()
+            .all(|one| one.diagonal() >= picture::LOST * all.diagonal())
     }
 
     fn view(&self, shade: Shade, k: usize) -> View<'_> {

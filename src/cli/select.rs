@@ -188,5 +188,5 @@ fn shown(
         shading: Shading::Marked(marked),
         focus: &[],
     };
-    picture::render(&[view], &options, &Layout::default())
+    picture::render(&[vec![view]], &options, &Layout::default())
 }

@@ -320,6 +320,37 @@ fn a_hole_that_is_filled_and_a_bridge_are_shown() {
     assert_eq!(shown(&directory.join("same.png")).size[1], 48 + 3 * 464);
 }
 
+/// A mesh that would be lost beside another one has a camera of its own; others are shown in one scale. A turntable has the same cameras.
+#[test]
+fn each_mesh_fills_its_picture_where_it_would_be_lost_among_the_others() {
+    let directory = directory("pictures-frames");
+    for (name, radius) in [("one.off", 1.0), ("half.off", 0.5), ("small.off", 0.01)] {
+        fs::write(directory.join(name), sphere(radius, 24)).unwrap();
+    }
+    let covered = |other: &str, more: &[&str]| {
+        let args = ["render", "one.off", other, "-o", "two.png", "--size", "100x100"];
+        expect(&directory, &[&args[..], more].concat(), 0);
+        let shown = shown(&directory.join("two.png"));
+        [0, 100].map(|left| {
+            let backdrop = shown.at(left, 0);
+            (left..left + 100)
+                .filter(|&x| shown.at(x, 50) != backdrop)
+                .count()
+        })
+    };
+    let [one, half] = covered("half.off", &[]);
+    assert!(
+        one > 80 && (half as f64 / one as f64 - 0.5).abs() < 0.05,
+        "{one}, {half}"
+    );
+    let [one, small] = covered("small.off", &[]);
+    assert!(one > 80 && small.abs_diff(one) < 2, "{one}, {small}");
+    let [one, small] = covered("small.off", &["--turntable", "2"]);
+    assert!(one > 80 && small.abs_diff(one) < 2, "{one}, {small}");
+    let [one, small] = covered("small.off", &["--shade", "distance"]);
+    assert!(one > 80 && small < 4, "{one}, {small}");
+}
+
 /// The elements of a page in their order, each closed where it has to be; panics where the page is no well-formed XML.
 fn elements(page: &str) -> Vec<String> {
     let body = page.strip_prefix("<!DOCTYPE html>\n").unwrap();

@@ -26,20 +26,24 @@ pub enum Animation {
 
 /// The views from so many directions around the vertical of the picture, all from the same distance.
 pub fn turning(
-    views: &[View<'_>],
+    views: &[Vec<View<'_>>],
     options: &PictureOptions,
     layout: &Layout<'_>,
     (frames, animation): (usize, Animation),
 ) -> Result<Vec<u8>, String> {
-    let cameras = Camera::turning(views, options, frames);
+    let cameras: Vec<Vec<Camera>> = views
+        .iter()
+        .map(|views| Camera::turning(views, options, frames))
+        .collect();
     let delay = (TURN / frames.max(1)).clamp(DELAYS[0], DELAYS[1]) as u16;
-    let painted = cameras.chunks(AT_ONCE).flat_map(|some| -> Vec<Pixels> {
-        let paint = |camera: &Camera| {
-            let tiles: Vec<Pixels> = views
-                .iter()
-                .map(|view| Canvas::paint(view, camera, options).shrunk(options.samples))
-                .collect();
-            sheet::arrange(&tiles, layout)
+    let numbers: Vec<usize> = (0..frames).collect();
+    let painted = numbers.chunks(AT_ONCE).flat_map(|some| -> Vec<Pixels> {
+        let paint = |&frame: &usize| {
+            let lists = views.iter().zip(&cameras).map(|(views, cameras)| {
+                let tile = |view| Canvas::paint(view, &cameras[frame], options).shrunk(options.samples);
+                views.iter().map(tile).collect()
+            });
+            sheet::arrange(&sheet::in_turns(lists.collect()), layout)
         };
         some.par_iter().map(paint).collect()
     });

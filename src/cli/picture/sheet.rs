@@ -93,6 +93,17 @@ pub fn arrange(tiles: &[Pixels], layout: &Layout<'_>) -> Pixels {
     sheet
 }
 
+/// The first of each list, then the second ones, and so on.
+pub fn in_turns<T>(lists: Vec<Vec<T>>) -> Vec<T> {
+    let mut lists: Vec<_> = lists.into_iter().map(Vec::into_iter).collect();
+    let mut all = Vec::new();
+    while let Some(first) = lists.first_mut().and_then(Iterator::next) {
+        all.push(first);
+        all.extend(lists[1..].iter_mut().filter_map(Iterator::next));
+    }
+    all
+}
+
 /// Text of so many letters at most; three points stand for what is left out.
 fn shortened(text: &str, most: usize) -> String {
     let letters = text.chars().count();
@@ -129,5 +140,19 @@ fn draw_scale(sheet: &mut Pixels, left: u32, within: Range<u32>, scale: &Scale) 
         let y = top + ((1.0 - share) * f64::from(length)).round() as u32;
         let number = scale.number(low + share * (high - low));
         write(sheet, [left + 20, y - LINE / 2], &shortened(&number, 9));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_take_turns() {
+        assert_eq!(
+            in_turns(vec![vec![1, 4], vec![2, 5], vec![3, 6]]),
+            [1, 2, 3, 4, 5, 6]
+        );
+        assert_eq!(in_turns::<i32>(Vec::new()), [0; 0]);
     }
 }
