@@ -15,8 +15,9 @@ after(() => browser.close());
 const CENTRE = [-120, 45, 300];
 const moved = () => openSphere(40, 60).replace(/vertex ([^\n]+)/g, (_, at) => `vertex ${at.split(" ").map((x, k) => 10 * Number(x) + CENTRE[k]).join(" ")}`);
 
-/** What the clipboard has, pasted with the keyboard. */
-async function pasted(page) {
+/** What the clipboard has, pasted with the keyboard, when the page says that it was copied. */
+async function pasted(page, flag) {
+    await page.waitForFunction((flag) => document.querySelector("#status").textContent.startsWith(`Copied: --${flag} `), {}, flag);
     await page.evaluate(() => document.body.append(Object.assign(document.createElement("textarea"), { id: "paste" })));
     await page.focus("#paste");
     await page.keyboard.down("Control");
@@ -41,7 +42,7 @@ test("the place under the pointer is told in the file's coordinates, and the com
     assert.ok(off > 9.9 && off < 10.01, `${off} from the centre`);
     const counts = {};
     await page.keyboard.press("b");
-    const ball = await pasted(page);
+    const ball = await pasted(page, "ball");
     assert.match(ball, /^--ball -?[\d.]+,-?[\d.]+,-?[\d.]+,[\d.]+$/, "as the command line documents it");
     assert.equal(ball, `--ball ${x},${y},${z},${radius}`);
     assert.equal(await said(page), `Copied: ${ball}`);
@@ -49,12 +50,12 @@ test("the place under the pointer is told in the file's coordinates, and the com
     // Fixed by a click, so that the pointer can go to the buttons.
     await page.mouse.click(u, v);
     await page.click("#copy-geodesic");
-    const geodesic = await pasted(page);
+    const geodesic = await pasted(page, "geodesic");
     assert.equal(geodesic, `--geodesic ${x},${y},${z},${radius}`);
     counts.geodesic = selected(path, geodesic);
     assert.ok(counts.ball > 10 && counts.geodesic > 10 && counts.geodesic <= counts.ball, JSON.stringify(counts));
     await page.click("#copy-bump");
-    assert.equal(await pasted(page), `--bump ${x},${y},${z}`);
+    assert.equal(await pasted(page, "bump"), `--bump ${x},${y},${z}`);
     assert.deepEqual(seen.errors, []);
     await page.close();
 });
@@ -67,7 +68,7 @@ test("a bump that is pointed at is the one that the command line takes away", as
     // The bump at the right of the first view.
     await page.mouse.move(u + 120, v - 20);
     await page.keyboard.press("u");
-    const count = selected(path, await pasted(page));
+    const count = selected(path, await pasted(page, "bump"));
     assert.ok(count > 50 && count < 3000, String(count));
     await page.close();
 });
