@@ -31,7 +31,7 @@ cp -r tests "$tests"
 cd "$tests"
 export LIVE_PAGE=$page LIVE_PACKAGE=$package LIVE_PROGRAM=$target/release/fairmesh
 case $browser in
-chrome) node --test --test-concurrency=1 page.test.mjs report.test.mjs story.test.mjs parts.test.mjs hands.test.mjs words.test.mjs spot.test.mjs curvature.test.mjs ;;
+chrome) rm firefox.test.mjs && node --test --test-concurrency=1 ./*.test.mjs ;;
 firefox) LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1400x1000x24" node --test firefox.test.mjs ;;
 *) echo "page/test.sh PACKAGE [chrome|firefox]" >&2 && exit 1 ;;
 esac

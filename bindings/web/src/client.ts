@@ -49,7 +49,7 @@ const LONG = {
 } as const satisfies Record<keyof LongCalls, number>;
 
 const SHORT = [
-    ...(["boundaryLoops", "suggestJoins", "erase", "trimBoundary", "components", "meanCurvature"] as const),
+    ...(["boundaryLoops", "suggestJoins", "erase", "trimBoundary", "components", "meanCurvature", "memoryNeeded", "memoryNeededToFill"] as const),
     ...(["selectBall", "selectBox", "selectHalfspace", "selectGeodesic", "selectComponent"] as const),
     ...(["selectPatch", "selectBump", "grow", "shrink", "defaultOptions", "defaultFillOptions", "defaultRemeshOptions", "describe"] as const),
 ];

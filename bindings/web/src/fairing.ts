@@ -108,6 +108,23 @@ export function fair(host: Host, given: Mesh, free: Selection | null | undefined
     );
 }
 
+/** See `Fairmesh.memoryNeeded`. */
+export function memoryNeeded(host: Host, given: Mesh, free: Selection | null | undefined, options: FairOptions = {}): number {
+    known(options, OPTIONS);
+    const mesh = new MeshIn(given);
+    return within(host.library, (scope) => {
+        const [at, selection, fairing] = asked(scope, mesh, free, options, { progress: 0, userData: 0 });
+        return bytesOf(host, scope, [at!, selection!, 0, fairing!]);
+    });
+}
+
+/** What `fairmesh_memory_needed` answers. */
+export function bytesOf(host: Host, scope: Scope, given: readonly Argument[]): number {
+    const bytes = scope.bytes(8);
+    host.library.call("fairmesh_memory_needed", ...given, bytes);
+    return Number(host.library.view.getBigUint64(bytes, true));
+}
+
 /** See `Fairmesh.meanCurvature`. */
 export function meanCurvature(host: Host, given: Mesh): Float64Array {
     const mesh = new MeshIn(given);

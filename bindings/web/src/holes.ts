@@ -2,7 +2,7 @@
 
 import * as abi from "./abi.js";
 import { type Floats, type Indices, indices, indicesIn, type Mesh, MeshIn, numbers, shown } from "./arrays.js";
-import { type Host, isSingle, watched } from "./fairing.js";
+import { bytesOf, type Host, isSingle, watched } from "./fairing.js";
 import { plainFields, type Scope, type Values, within, write } from "./library.js";
 import { FAIRING, type FairingOptions, fairingIn, fieldOf, known, real, whole, withDefaults } from "./options.js";
 import { type LoopReport, type Report, type ResultHandle, resultOf } from "./reports.js";
@@ -115,6 +115,9 @@ const FILL: readonly string[] = plainFields("fillOptions").filter((name) => name
 /** The names of the options of patches. */
 export const PATCH: readonly string[] = FILL.filter((name) => !(OF_HOLES as readonly string[]).includes(name));
 
+/** The names of all options of filling. */
+const FILLING: readonly string[] = [...FAIRING, ...CHOICE, ...FILL, ...Object.keys(abi.rows.fillOptions), "join"];
+
 /** For the library, 0 is no bound; here it is one that nothing meets. */
 function bound(given: unknown, name: string): number {
     return real(given, name) || Number.MIN_VALUE;
@@ -212,9 +215,19 @@ export function suggestJoins(host: Host, given: Mesh, choice: LoopChoice = {}): 
     );
 }
 
+/** See `Fairmesh.memoryNeededToFill`. */
+export function memoryNeededToFill(host: Host, given: Mesh, options: FillOptions = {}): number {
+    known(options, FILLING);
+    const mesh = new MeshIn(given);
+    return withMesh(host, mesh, (address, scope) => {
+        const fairing = fairingIn(scope, options, isSingle(mesh), mesh.vertexCount, { progress: 0, userData: 0 });
+        return bytesOf(host, scope, [address, 0, fillIn(scope, options), fairing]);
+    });
+}
+
 /** See `Fairmesh.fillHoles`. */
 export function fillHoles(host: Host, given: Mesh, options: FillOptions = {}): FillResult {
-    known(options, [...FAIRING, ...CHOICE, ...FILL, ...Object.keys(abi.rows.fillOptions), "join"]);
+    known(options, FILLING);
     const mesh = new MeshIn(given);
     return watched(host, options, (told) =>
         withMesh(host, mesh, (address, scope) => {

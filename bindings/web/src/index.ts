@@ -4,7 +4,7 @@ import { VERSION_MAJOR, VERSION_MINOR, VERSION_PATCH } from "./abi.js";
 import type { Indices, Mesh, Out, Points, Selection } from "./arrays.js";
 import { compile, type Source } from "./compile.js";
 import * as erasing from "./erase.js";
-import { fair, type FairOptions, type FairResult, meanCurvature, Solver } from "./fairing.js";
+import { fair, type FairOptions, type FairResult, meanCurvature, memoryNeeded, Solver } from "./fairing.js";
 import * as holes from "./holes.js";
 import { Library, type StructName, within } from "./library.js";
 import { defaults } from "./options.js";
@@ -69,6 +69,16 @@ export class Fairmesh {
     /** Moves the free vertices until the surface between the fixed ones solves Delta_B H = 0, or what `target` asks. Without `free`, all that are not on the boundary. */
     fair<M extends Mesh>(mesh: M, free?: Selection | null, options?: FairOptions): FairResult<Out<M>> {
         return fair(this.#host, mesh, free, options) as FairResult<Out<M>>;
+    }
+
+    /** How much memory `fair` takes at most with these arguments, about, in bytes; at most 256 MB more are set aside. The module's memory is 4 GB. */
+    memoryNeeded(mesh: Mesh, free?: Selection | null, options?: FairOptions): number {
+        return memoryNeeded(this.#host, mesh, free, options);
+    }
+
+    /** The same of `fillHoles`. */
+    memoryNeededToFill(mesh: Mesh, options?: holes.FillOptions): number {
+        return holes.memoryNeededToFill(this.#host, mesh, options);
     }
 
     /** Fairing in steps. */

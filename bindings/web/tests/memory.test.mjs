@@ -35,3 +35,18 @@ test("a hole of 987 edges in half a million triangles is filled within 1 GB", as
     assert.ok(filled.newVertexCount > 50_000, `${filled.newVertexCount}`);
     assert.ok(library.memoryBytes < 2 ** 30, `${library.memoryBytes}`);
 });
+
+test("the memory that is needed is told before, and holds", async () => {
+    const mesh = bowl(300, 60);
+    const library = await load();
+    const free = Array.from({ length: 300 * 59 }, (_, k) => k + 300);
+    const [fairing, filling] = [library.memoryNeeded(mesh, free), library.memoryNeededToFill(mesh, { loops: [0] })];
+    assert.ok(fairing > 1e6 && filling > 1e6, `${fairing}, ${filling}`);
+    assert.ok(library.memoryNeeded(mesh, free.slice(0, 3000)) < fairing / 3, "a smaller region needs less");
+    const before = library.memoryBytes;
+    library.fair(mesh, free);
+    const grown = library.memoryBytes - before;
+    // What the arguments take, and what is set aside, come on top.
+    assert.ok(grown > 0.2 * fairing && grown < 2 * fairing + 2 ** 25, `${grown} of ${fairing}`);
+    assert.throws(() => library.memoryNeeded(mesh, free, { speed: 3 }), /speed/);
+});

@@ -2,6 +2,7 @@
 
 import { Dragging } from "./dragging.js";
 import { SHAPES, type ShapeName } from "./embedded.js";
+import { costOfFile, costText, opened } from "./costs.js";
 import { type Format, readMesh, save, written } from "./files.js";
 import { fromText, maskOf, runsOf, type State, toText } from "./link.js";
 import { Model } from "./model.js";
@@ -45,6 +46,8 @@ class Page {
     #coloured: unknown = null;
     #listed: unknown = null;
     #told: unknown = null;
+    #estimated: unknown = null;
+    #estimating: ReturnType<typeof setTimeout> | undefined;
     #linking: ReturnType<typeof setTimeout> | undefined;
 
     constructor(model: Model) {
@@ -84,8 +87,8 @@ class Page {
         click("shrink", () => this.#spread("shrink"));
         click("all", () => this.#choose(1));
         click("clear", () => this.#choose(0));
-        click("fair", () => this.#needing(() => work("Faired", (watched) => this.#model.fair(watched))));
-        click("fill", () => work("Holes", (watched) => this.#model.fill(watched, null)));
+        click("fair", () => this.#needing(() => work("Faired", (watched) => this.#model.fair(watched), () => this.#model.cost())));
+        click("fill", () => work("Holes", (watched) => this.#model.fill(watched, null), () => this.#model.costToFill(null)));
         click("erase-fill", () => this.#needing(() => work("Region", (watched) => this.#model.refill(watched))));
         click("remesh", () => this.#needing(() => work("Region", (watched) => this.#model.remesh(watched))));
         click("bridge", () => this.#join());
@@ -174,11 +177,13 @@ class Page {
             return;
         }
         const done = await work(file.name, async () => {
+            const start = performance.now();
             const mesh = readMesh(file.name, await file.arrayBuffer());
             const loops = await this.#model.open(mesh);
+            opened(mesh.triangles.length / 3, (performance.now() - start) / 1000);
             const boundaries = loops === 0 ? "closed" : `${loops} ${loops === 1 ? "boundary" : "boundaries"}`;
             return `${(mesh.triangles.length / 3).toLocaleString("en")} triangles, ${boundaries}. Paint a region, then fair it`;
-        });
+        }, async () => costOfFile(file.name.toLowerCase(), file.size, await file.slice(0, 4096).text()));
         if (done) this.#begun("file");
         else select("shape").value = this.#model.shape ?? "file";
     }
@@ -228,7 +233,7 @@ class Page {
     async #join(): Promise<void> {
         const [start, end] = [Number(select("start").value), Number(select("end").value)];
         if (start === end) return say("The two holes are the same: choose another one to join it to.", true);
-        await work("Joined", (watched) => this.#model.fill(watched, [start, end]));
+        await work("Joined", (watched) => this.#model.fill(watched, [start, end]), () => this.#model.costToFill([start, end]));
     }
 
     /** Shows the model as it is now. */
@@ -241,10 +246,29 @@ class Page {
         this.#dragging.refresh();
         this.#pointer.mark();
         this.#tell();
+        this.#estimate();
         if (this.#listed !== surface) this.#spot.forget();
         if (this.#coloured !== surface) void this.#shade();
         if (this.#listed !== surface) void this.#list();
         this.#remember();
+    }
+
+    /** What fairing the region would cost, when the hand rests. */
+    #estimate(): void {
+        if (this.#estimated === this.#model.region) return;
+        this.#estimated = this.#model.region;
+        clearTimeout(this.#estimating);
+        element("cost").hidden = true;
+        this.#estimating = setTimeout(() => void this.#price(), 300);
+    }
+
+    async #price(): Promise<void> {
+        const region = this.#model.region;
+        if (isBusy() || !region.includes(1)) return;
+        const cost = await this.#model.cost();
+        if (this.#model.region !== region) return;
+        element("cost").hidden = cost.vertices === 0;
+        element("cost").textContent = `${cost.vertices.toLocaleString("en")} vertices move: ${costText(cost)}.`;
     }
 
     /** What has become of each part, where there are several: a click chooses one. */

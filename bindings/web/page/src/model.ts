@@ -1,6 +1,7 @@
 /** What is worked on: a surface with a region, the steps that made it, and the solver that is live. No controls, no drawing. */
 
 import { createWorker, type Edit, type FairmeshWorker, type Report, type Watched, type WorkerSolver } from "../../src/index.js";
+import { type Cost, costOf } from "./costs.js";
 import { module, type Shape, shape as embedded, type ShapeName, startWorker } from "./embedded.js";
 import { maskOf, runsOf, type Step } from "./link.js";
 import { type Part, partsOfHoles, partsOfRegion, saysOf, summed } from "./parts.js";
@@ -169,10 +170,22 @@ export class Model {
         this.#show(last, null);
     }
 
+    /** How many vertices fairing would move, and what it costs. What cannot be faired costs nothing: it is told why when it is tried. */
+    async cost(): Promise<Cost & { vertices: number }> {
+        const free = moving(this.region, this.surface, this.#held);
+        const vertices = free.reduce((sum, is) => sum + is, 0);
+        return { vertices, ...costOf(vertices === 0 ? 0 : await this.#worker.memoryNeeded(this.mesh, free).catch(() => 0)) };
+    }
+
+    async costToFill(joined: [number, number] | null): Promise<Cost> {
+        const choice = joined === null ? await this.#gaps() : { loops: joined, join: [joined] };
+        return costOf(await this.#worker.memoryNeededToFill(this.mesh, choice).catch(() => 0));
+    }
+
     /** Fairs the region, and holds the solver up there. What the library has found out is told. */
     async fair(watched: Watched): Promise<string> {
         const mesh = this.mesh;
-        const free = moving(this.region, mesh, this.#held);
+        const free = moving(this.region, this.surface, this.#held);
         const loops = regionLoops(free, this.surface, this.#held);
         const asked = await this.#worker.solver(mesh, free, { ...this.#given(loops), ...watched });
         this.#carry();

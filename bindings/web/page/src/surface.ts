@@ -30,6 +30,7 @@ export class Surface {
     readonly #bvh: MeshBVH;
     #isMoved = false;
     #centres: Float64Array | null = null;
+    #rim: Uint8Array | null = null;
 
     constructor({ positions, triangles }: Triangles) {
         this.positions = positions;
@@ -100,6 +101,24 @@ export class Surface {
         return (this.#centres = centres);
     }
 
+    /** Per vertex, 1 on the boundary of the mesh: at an edge that has one triangle. */
+    get rim(): Uint8Array {
+        if (this.#rim !== null) return this.#rim;
+        const { triangles } = this;
+        const count = this.positions.length / 3;
+        const edges = new Float64Array(triangles.length);
+        triangles.forEach((a, k) => {
+            const b = triangles[k % 3 === 2 ? k - 2 : k + 1]!;
+            edges[k] = Math.min(a, b) * count + Math.max(a, b);
+        });
+        edges.sort();
+        const rim = new Uint8Array(count);
+        edges.forEach((edge, k) => {
+            if (edge !== edges[k - 1] && edge !== edges[k + 1]) rim[Math.floor(edge / count)] = rim[edge % count] = 1;
+        });
+        return (this.#rim = rim);
+    }
+
     /** Twice the area times the normal. */
     normal(triangle: number): Vector3 {
         const [a, b, c] = [0, 1, 2].map((k) => this.vertex(this.triangles[3 * triangle + k]!)) as [Vector3, Vector3, Vector3];
@@ -148,27 +167,26 @@ interface Edge {
 }
 
 /** Edges of a region's triangles that no other triangle of it has, in the direction of theirs, and those between vertices that are held. */
-function rim(mask: Uint8Array, triangles: Uint32Array, held: Uint8Array | null = null): Edge[] {
-    const inner = new Map<string, Edge>();
+function edgesOf(mask: Uint8Array, triangles: Uint32Array, count: number, held: Uint8Array | null): Edge[] {
+    const inner = new Map<number, Edge>();
     for (let t = 0; t < mask.length; t++) {
         if (!mask[t]) continue;
         for (let c = 0; c < 3; c++) {
             const [from, to] = [triangles[3 * t + c]!, triangles[3 * t + ((c + 1) % 3)]!];
-            inner.set(`${from} ${to}`, { from, to, triangle: t });
+            inner.set(from * count + to, { from, to, triangle: t });
         }
     }
-    return [...inner.values()].filter(({ from, to }) => !inner.has(`${to} ${from}`) || (held !== null && held[from] && held[to]));
+    return [...inner.values()].filter(({ from, to }) => !inner.has(to * count + from) || (held !== null && held[from] && held[to]));
 }
 
 /** Per vertex, 1 where it may move: it has triangles of the region only, is not on the boundary of the mesh, and not held. */
-export function moving(mask: Uint8Array, mesh: Triangles, held: Uint8Array | null): Uint8Array {
-    const free = verticesOf(mask, mesh);
+export function moving(mask: Uint8Array, surface: Surface, held: Uint8Array | null): Uint8Array {
+    const free = verticesOf(mask, surface);
     const others = verticesOf(
         mask.map((is) => 1 - is),
-        mesh,
+        surface,
     );
-    for (const { from, to } of rim(new Uint8Array(mask.length).fill(1), mesh.triangles)) others[from] = others[to] = 1;
-    return free.map((is, v) => (is && !others[v] && !held?.[v] ? 1 : 0));
+    return free.map((is, v) => (is && !others[v] && !surface.rim[v] && !held?.[v] ? 1 : 0));
 }
 
 /** The boundary of what may move: loops of vertices in their order, the region on the left. Held curves inside are such loops, too. */
@@ -177,7 +195,7 @@ export function regionLoops(free: Uint8Array, surface: Surface, held: Uint8Array
     const mask = new Uint8Array(triangles.length / 3);
     triangles.forEach((v, k) => free[v] && (mask[Math.floor(k / 3)] = 1));
     const next = new Map<number, Edge[]>();
-    for (const edge of rim(mask, triangles, held)) next.set(edge.from, [...(next.get(edge.from) ?? []), edge]);
+    for (const edge of edgesOf(mask, triangles, surface.positions.length / 3, held)) next.set(edge.from, [...(next.get(edge.from) ?? []), edge]);
     const loops: LoopVertex[][] = [];
     for (const start of next.keys()) {
         const loop: LoopVertex[] = [];
