@@ -13,6 +13,7 @@ import { gradient, scaleOf, type Shading } from "./shading.js";
 import { Spot } from "./spot.js";
 import { Story } from "./story.js";
 import { Viewer } from "./viewer.js";
+import { needed, unable } from "./unable.js";
 import { REMEDIES } from "./words.js";
 import { isBusy, work } from "./work.js";
 
@@ -357,9 +358,10 @@ class Page {
 }
 
 try {
+    needed();
     const model = await Model.start();
     await new Page(model).start();
     document.documentElement.dataset["ready"] = "yes";
 } catch (why) {
-    say(`The page cannot start here: ${told(why)} It needs WebAssembly, WebGL 2 and workers.`, true);
+    unable(why);
 }

@@ -291,12 +291,3 @@ test("axe-core finds nothing against it, on a desktop in light and on a phone in
         await page.close();
     }
 });
-
-test("without WebGL it says what is missing", async () => {
-    const blind = await launched("chrome", ["--disable-3d-apis"]);
-    const page = await blind.newPage();
-    await page.goto(ADDRESS);
-    await page.waitForFunction("/cannot start/.test(document.querySelector('#status').textContent)");
-    assert.match(await page.$eval("#status", (status) => status.textContent), /^The page cannot start here: .*WebGL.*\. It needs WebAssembly, WebGL 2 and workers\.$/);
-    await blind.close();
-});
