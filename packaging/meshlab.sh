@@ -56,7 +56,7 @@ read_me() {
     cat <<TEXT
 # fairmesh $version in $program
 
-Five filters: Fair Selected Region, Close Holes Smoothly, Erase and Fill Smoothly, Bridge Boundaries Smoothly, Mean Curvature (smooth), in the menu
+Five filters, whose names begin with Fairmesh, in the menu
 *Filters, Smoothing, Fairing and Deformation*. For Linux x86_64 with glibc 2.31 or newer, and for no other program: a plugin fits one version of MeshLab,
 with one kind of numbers.
 

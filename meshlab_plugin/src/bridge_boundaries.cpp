@@ -32,7 +32,7 @@ Mask marked(const CMeshO &mesh, const MeshView &view, const fairmesh::result &lo
 std::vector<Stretch> stretches_of(const std::vector<std::uint32_t> &loop, const Mask &marked) {
     const auto gap = std::find_if(loop.begin(), loop.end(), [&](std::uint32_t v) { return !marked[v]; });
     if (gap == loop.end())
-        throw Failure(text("All of the boundary at vertex %u is selected. Select a part of it, or apply 'Close Holes Smoothly' with 'Join "
+        throw Failure(text("All of the boundary at vertex %u is selected. Select a part of it, or apply 'Fairmesh: Close Holes' with 'Join "
                            "loops' to connect whole boundaries.",
                            loop.front()));
     std::vector<Stretch> found;
@@ -110,6 +110,9 @@ Values told(const fairmesh::result &bridged, const Host &host) {
 
 Values bridge_boundaries(MeshModel &model, const MeshView &view, BridgeParameters asked, const Host &host) {
     const auto ends = chosen(model.cm, view, asked.how.width > 0);
+    std::vector<std::uint32_t> both = ends[0];
+    both.insert(both.end(), ends[1].begin(), ends[1].end());
+    scale_bulge(asked.options, view.diagonal(both));
     bool cancelled = false;
     asked.options.on_progress = shown(host, cancelled);
     const auto bridged = fairmesh::bridge(view.mesh(), ends[0], ends[1], asked.how, asked.fill, asked.options);

@@ -35,16 +35,22 @@ double longest_allowed(const fairmesh::result &loops, std::size_t except) {
     return except <= lengths.size() ? lengths[except - 1] : 0;
 }
 
-/** The diagonal of the bounding box of vertices. */
-double diagonal(const CMeshO &mesh, const std::vector<std::uint32_t> &vertices) {
-    vcg::Box3<Scalar> box;
-    for (std::uint32_t v : vertices) box.Add(mesh.vert[v].cP());
-    return box.Diag();
+/** The largest of the loops, or that of all of them together. */
+double size_of(const fairmesh::result &loops, const std::vector<std::uint32_t> &close, bool together, const MeshView &view) {
+    double largest = 0;
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t i : close) {
+        const auto vertices = loops.list(FAIRMESH_LIST_LOOP_VERTICES, i);
+        largest = std::max(largest, view.diagonal(vertices));
+        all.insert(all.end(), vertices.begin(), vertices.end());
+    }
+    return together ? view.diagonal(all) : largest;
 }
 
-/** The loops that are to be closed, by their numbers. Those that stay open for a reason that is not the user's wish are warned of. */
-std::vector<std::uint32_t> chosen(const CMeshO &mesh, const fairmesh::result &loops, const Mask &selected, const CloseParameters &asked,
-                                  const Host &host) {
+/** The loops that are to be closed, by their numbers. Those that stay open for a reason that is not the user's wish are warned of and
+ * counted. */
+std::vector<std::uint32_t> chosen(const fairmesh::result &loops, const Mask &selected, const CloseParameters &asked, const MeshView &view,
+                                  const Host &host, int &passed_over) {
     std::vector<std::uint32_t> close;
     const bool all_at_selection = asked.join == JoinLoops::AtSelection;
     const double below = longest_allowed(loops, asked.except_longest);
@@ -56,11 +62,12 @@ std::vector<std::uint32_t> chosen(const CMeshO &mesh, const fairmesh::result &lo
         if (loop.kind == FAIRMESH_LOOP_KIND_NON_MANIFOLD) {
             host.warn(text("Warning, the hole at vertex %u is left open: its boundary runs into the edge (%u, %u), where faces do not fit.",
                            vertices.front(), loop.edge_a, loop.edge_b));
+            ++passed_over;
             continue;
         }
         const auto within = [](double is, double most) { return most == 0 || is <= most; };
         const bool is_small = loop.vertex_count <= asked.fill.max_edges && loop.length < below && within(loop.length, asked.max_length) &&
-                              within(loop.area, asked.max_area) && within(diagonal(mesh, vertices), asked.max_diagonal);
+                              within(loop.area, asked.max_area) && within(view.diagonal(vertices), asked.max_diagonal);
         if (all_at_selection || (is_small && (asked.outer_boundaries || loop.kind == FAIRMESH_LOOP_KIND_HOLE))) close.push_back(i);
     }
     return close;
@@ -87,6 +94,8 @@ struct Opened {
     fairmesh::result loops;
     std::vector<std::uint32_t> close;
     double area = 0;
+    /** Holes that no patch can close. */
+    int passed_over = 0;
 };
 
 /** The loops that became of others, by their vertices and those of the triangles that were trimmed away there. */
@@ -113,10 +122,10 @@ std::vector<std::uint32_t> successors(const fairmesh::result &loops, const std::
 }
 
 /** Chooses the holes, and trims the mesh there. */
-Opened opened(const CMeshO &mesh, const MeshView &view, const Mask &selected, const CloseParameters &asked, const Host &host) {
+Opened opened(const MeshView &view, const Mask &selected, const CloseParameters &asked, const Host &host) {
     Opened made;
     made.loops = fairmesh::boundary_loops(view.mesh());
-    made.close = chosen(mesh, made.loops, selected, asked, host);
+    made.close = chosen(made.loops, selected, asked, view, host, made.passed_over);
     if (asked.trim.triangles > 0 && !made.close.empty()) {
         auto trimmed = fairmesh::trim_boundary(view.mesh(), made.close, asked.trim);
         made.kept = std::move(trimmed.kept);
@@ -142,15 +151,23 @@ Values close_holes(MeshModel &model, const MeshView &view, CloseParameters asked
     CMeshO &mesh = model.cm;
     const bool all_at_selection = asked.join == JoinLoops::AtSelection;
     const Mask selected = asked.touching_selection || all_at_selection ? selected_vertices(mesh, view) : Mask();
-    const Opened open = opened(mesh, view, selected, asked, host);
+    const Opened open = opened(view, selected, asked, host);
     const std::vector<std::uint32_t> &close = open.close;
     if (all_at_selection && close.size() < 2)
         throw Failure(text("Joining all loops at the selection: there %s. Select vertices or faces of two loops or more.",
                            close.empty() ? "is none" : "is one alone"));
     if (close.empty()) {
         host.warn("Warning, no hole was found that is to be closed.");
-        return {{"converged", true}, {"closed", 0},    {"left_open", 0},      {"not_fair", 0},        {"joined", 0},
-                {"new_vertices", 0}, {"new_faces", 0}, {"moved_vertices", 0}, {"moved_largest", 0.0}, {"seconds_solve", 0.0}};
+        return {{"converged", open.passed_over == 0},
+                {"closed", 0},
+                {"left_open", open.passed_over},
+                {"not_fair", 0},
+                {"joined", 0},
+                {"new_vertices", 0},
+                {"new_faces", 0},
+                {"moved_vertices", 0},
+                {"moved_largest", 0.0},
+                {"seconds_solve", 0.0}};
     }
     asked.fill.only(close);
     if (asked.join == JoinLoops::Auto) asked.fill.join_auto();
@@ -159,6 +176,7 @@ Values close_holes(MeshModel &model, const MeshView &view, CloseParameters asked
         asked.fill.only({});
         asked.fill.join_groups({close});
     }
+    scale_bulge(asked.options, size_of(open.loops, close, all_at_selection, view));
     bool cancelled = false;
     asked.options.on_progress = shown(host, cancelled);
     const auto filled = fairmesh::fill_holes(with_triangles(view, open.triangles), asked.fill, asked.options);
@@ -166,6 +184,11 @@ Values close_holes(MeshModel &model, const MeshView &view, CloseParameters asked
 
     write_patches(model, view, open.kept, filled, asked.selection);
     Values values = told(filled, open.loops, asked.options.continuity > 0, host);
+    if (open.passed_over > 0) {
+        values["converged"] = false;
+        values["left_open"] = values["left_open"].toInt() + open.passed_over;
+        host.log(text("Holes left open besides, as no patch can close them: %d", open.passed_over));
+    }
     if (open.kept.size() < view.triangles().size() && !values["converged"].toBool()) host.log(OLD_NUMBERS);
     values["trimmed_faces"] = static_cast<int>(view.triangles().size() - open.kept.size());
     values["trimmed_area"] = open.area;

@@ -26,6 +26,10 @@ Values erase_and_fill(MeshModel &model, const MeshView &view, CloseParameters as
     const auto loops = fairmesh::boundary_loops(open);
     object(loops, left.loops, asked.outer_boundaries);
     asked.fill.only(left.loops);
+    std::vector<std::uint32_t> rim;
+    for (std::uint32_t loop : left.loops)
+        for (std::uint32_t v : loops.list(FAIRMESH_LIST_LOOP_VERTICES, loop)) rim.push_back(v);
+    scale_bulge(asked.options, view.diagonal(rim));
     bool cancelled = false;
     asked.options.on_progress = shown(host, cancelled);
     const auto filled = fairmesh::fill_holes(open, asked.fill, asked.options);

@@ -38,6 +38,10 @@ Values fair_selection(MeshModel &model, const MeshView &view, FairParameters ask
         throw Failure("No face is selected. Select the faces of the region to be faired, or close a hole with its faces selected.");
     Vectors given;
     choose_normals(mesh, asked, given);
+    std::vector<std::uint32_t> corners;
+    for (std::uint32_t triangle : view.selected())
+        for (std::uint32_t v : view.triangles()[triangle]) corners.push_back(v);
+    scale_bulge(asked.options, view.diagonal(corners));
     bool cancelled = false;
     asked.options.on_progress = shown(host, cancelled);
 

@@ -30,6 +30,12 @@ fairmesh_mesh MeshView::mesh() const {
     return made;
 }
 
+double MeshView::diagonal(const std::vector<std::uint32_t> &vertices) const {
+    vcg::Box3<Scalar> box;
+    for (std::uint32_t v : vertices) box.Add(host_.vert[v].cP());
+    return vertices.empty() ? 0 : box.Diag();
+}
+
 std::string MeshView::in_host_numbers(const char *text) const {
     static const QRegularExpression number("triangles? (\\d+)(?: and (\\d+))?");
     const QString theirs = QString::fromUtf8(text);

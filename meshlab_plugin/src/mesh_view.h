@@ -30,6 +30,8 @@ class MeshView {
     std::uint32_t face(std::size_t triangle) const { return faces_[triangle]; }
     /** The selected triangles. */
     const std::vector<std::uint32_t> &selected() const { return selected_; }
+    /** The diagonal of the bounding box of vertices. */
+    double diagonal(const std::vector<std::uint32_t> &vertices) const;
     /** A text of the library with its triangles' numbers replaced by those of the host's faces. */
     std::string in_host_numbers(const char *text) const;
 

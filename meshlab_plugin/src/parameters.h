@@ -57,6 +57,9 @@ struct BridgeParameters {
     double join_distance = 0;
 };
 
+/** The bulge that is asked is that of a region of size 1, so that one number has one shape, as in Blender: to 1 / length^3. */
+void scale_bulge(fairmesh::options &options, double diagonal);
+
 void add_fair_parameters(RichParameterList &list);
 void add_close_parameters(RichParameterList &list);
 void add_erase_parameters(RichParameterList &list);

@@ -111,9 +111,9 @@ namespace {
 /** In MeshLab's own words where it has a parameter or a filter that helps. */
 std::string what_to_do(std::uint32_t outcome) {
     switch (outcome) {
-    case FAIRMESH_OUTCOME_NOT_CONVERGED: return "select more, take averaged boundary normals, or apply 'Erase and Fill Smoothly'";
+    case FAIRMESH_OUTCOME_NOT_CONVERGED: return "select more, take averaged boundary normals, or apply 'Fairmesh: Erase and Fill'";
     case FAIRMESH_OUTCOME_CONVERGED_POOR_TRIANGLES:
-        return "look at these triangles; the vertex distribution 'Even', or 'Erase and Fill Smoothly', usually cures them";
+        return "look at these triangles; the vertex distribution 'Even', or 'Fairmesh: Erase and Fill', usually cures them";
     case FAIRMESH_OUTCOME_ITERATION_LIMIT: return "allow more iterations, or fair the result once more";
     case FAIRMESH_OUTCOME_TARGET_NOT_REACHABLE: return "give a smaller bulge, or select a smaller region";
     default: return fairmesh::remedy(FAIRMESH_ANSWER_OUTCOME, outcome);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-/** Names and help texts. The first sentence of a help text is what it is for: some dialogs show no more. */
+/** Names and help texts. Menus and searches list the filters side by side. The first sentence of a help text is what it is for: some
+ *  dialogs show no more. */
 #include "filters.h"
 
 namespace fairmesh_meshlab {
@@ -11,29 +12,28 @@ const char PAPER[] = "<br>The method: <i>Robert Schneider and Leif Kobbelt</i>, 
                      "Computer Aided Geometric Design, volume 18, issue 4, 2001, pages 359-379.<br>";
 
 const char FAIR[] =
-    "<b>Removes bumps, dents and noise: the selected faces continue those around them, exactly smooth.</b> Select the faces of a bump, "
+    "<b>Removes bumps, dents and noise: the selected faces continue those around them, exactly smooth.</b> There is no undo: duplicate "
+    "the layer first. Select the faces of a bump, "
     "with some good ones around, and apply. What was inside is forgotten; parts of spheres and cylinders come back exactly.<br><br>"
-    "A vertex moves if all its faces are selected and it is not on the boundary of the mesh. To close a hole apply 'Close Holes Smoothly'; "
-    "where the old faces are tangled, 'Erase and Fill Smoothly'.<br><br>"
+    "A vertex moves if all its faces are selected and it is not on the boundary of the mesh. To close a hole apply 'Fairmesh: Close "
+    "Holes'; "
+    "where the old faces are tangled, 'Fairmesh: Erase and Fill'.<br><br>"
     "The mean curvature H of the new surface is a harmonic function on it (&Delta;<sub>B</sub>H = 0), and it has the tangent planes of its "
     "surroundings (G<sup>1</sup>), or given normals.<br>";
 
 const char CLOSE[] =
-    "<b>Fills holes and joins loops with a surface that continues the faces around, exactly smooth.</b> A piece that was cut out of a "
-    "sphere is put back. "
-    "All holes are closed, or those of a size or at the selection.<br><br>"
-    "New triangles are as large as those beside the hole. New vertices get colours, quality, texture coordinates and attributes "
-    "interpolated from the boundary. Old vertices and faces stay as they are, unless a rough boundary may move or is trimmed.<br><br>"
-    "Several holes or boundaries can get one surface ('Join loops'): the two sides of a gap, ends of tubes, a hole and the island in it. "
-    "All parts have to face the same way.<br>";
+    "<b>Fills holes and joins loops with a surface that continues the faces around, exactly smooth.</b> There is no undo: "
+    "duplicate the layer first. All holes are closed, or those of a size or at the selection.<br><br>"
+    "New triangles are as large as those beside the hole, and colours, quality, texture coordinates and attributes are interpolated. "
+    "'Join loops' gives several boundaries one surface: the sides of a gap, ends of tubes, a hole and the island in it.<br>";
 
 const char ERASE[] =
-    "<b>Deletes the selected faces and fills the hole, exactly smooth.</b> For bumps, noise and tangles whose old faces are of no "
-    "use.<br><br>"
+    "<b>Deletes the selected faces and fills the hole, exactly smooth.</b> There is no undo: duplicate the layer first. For "
+    "bumps, noise and tangles whose old faces are of no use.<br><br>"
     "Faces that would hang loose at the rest go, too. Where the hole would stay open, nothing is changed.<br>";
 
-const char BRIDGE[] = "<b>Joins two selected stretches of boundary by a strip, exactly smooth.</b> Select the vertices or the faces there: "
-                      "on two sides of a hole, "
+const char BRIDGE[] = "<b>Joins two selected stretches of boundary by a strip, exactly smooth.</b> There is no undo: "
+                      "duplicate the layer first. Select the vertices or the faces there: on two sides of a hole, "
                       "which it divides, or on two parts.<br><br>"
                       "It goes on smoothly from both. Its free sides are curves; 'Fill the rest' closes the holes beside it, too.<br>";
 
@@ -49,11 +49,11 @@ const char CURVATURE[] =
 
 QString name(int filter) {
     switch (filter) {
-    case FairSelection: return "Fair Selected Region";
-    case CloseHoles: return "Close Holes Smoothly";
-    case EraseAndFill: return "Erase and Fill Smoothly";
-    case BridgeBoundaries: return "Bridge Boundaries Smoothly";
-    case MeanCurvature: return "Mean Curvature (smooth)";
+    case FairSelection: return "Fairmesh: Fair Selected Region";
+    case CloseHoles: return "Fairmesh: Close Holes";
+    case EraseAndFill: return "Fairmesh: Erase and Fill";
+    case BridgeBoundaries: return "Fairmesh: Bridge Boundaries";
+    case MeanCurvature: return "Fairmesh: Mean Curvature";
     default: return "";
     }
 }

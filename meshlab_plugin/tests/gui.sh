@@ -52,6 +52,21 @@ click() {
     eval "$(xdotool getwindowgeometry --shell "$dialog" | grep HEIGHT)"
     xdotool mousemove --window "$dialog" "$1" $((HEIGHT - $2)) click 1
 }
+# A screen of 768 rows has room for so many, besides a title and a panel.
+ROOM=700
+# fits NAME: the dialog has room, and so its buttons can be reached.
+fits() {
+    local HEIGHT
+    eval "$(xdotool getwindowgeometry --shell "$dialog" | grep HEIGHT)"
+    printf '%s: %d pixels high\n' "$1" "$HEIGHT"
+    [ "$HEIGHT" -le $ROOM ] || fail "the dialog '$1' is $HEIGHT pixels high, more than $ROOM"
+}
+# button QUARTER FROM_BOTTOM: in the dialog, at this quarter of its width.
+button() {
+    local WIDTH
+    eval "$(xdotool getwindowgeometry --shell "$dialog" | grep WIDTH)"
+    click $(($1 * WIDTH / 4)) "$2"
+}
 # open TEXT WINDOW: the first hit of MeshLab's own search. A busy program may lose keys.
 open() {
     for _ in 1 2 3; do
@@ -76,16 +91,22 @@ xdotool windowmove "$main" 0 0 windowsize "$main" 1200 800
 sleep 1
 shot start
 
-xdotool mousemove 121 10 click 1
-sleep 1
-xdotool mousemove 240 236 click 1
+# The menu of the filters, and in it that of smoothing.
+menu() {
+    xdotool windowfocus "$main" mousemove 121 10 click 1
+    sleep 1
+    xdotool mousemove 240 236 click 1
+    sleep 1
+}
+menu
 shot menu
 xdotool key Escape Escape Escape
 
-open 'fair selected' 'Fair Selected Region'
+open 'fair selected' 'Fairmesh: Fair Selected Region'
 dialog=$window
 xdotool windowmove "$dialog" 660 40
 shot dialog
+fits 'Fair Selected Region'
 click 17 83 # Preview
 logged 1 'Fairing converged'
 shot preview
@@ -93,10 +114,10 @@ click 17 83 # off again: the dent is back
 shot preview_off
 click 401 22 # Apply
 logged 2 'Fairing converged'
-logged 1 'Applied filter Fair Selected Region'
+logged 1 'Applied filter Fairmesh: Fair Selected Region'
 shot applied
 
-click 338 161 # the number of iterations
+click 338 148 # the number of iterations
 xdotool key ctrl+a type 0
 click 401 22 # Apply
 window 'Filter Failure'
@@ -104,5 +125,25 @@ xdotool windowmove "$window" 60 250
 shot error
 xdotool windowfocus "$window" key Return
 logged 1 'Filter failed: Parameter max_iterations is 0'
+button 1 22 # Close
+sleep 1
+# The first of them in the menu.
+entry=237
+for name in 'Bridge Boundaries' 'Close Holes' 'Erase and Fill'; do
+    menu
+    xdotool mousemove 612 $entry click 1
+    entry=$((entry + 25))
+    window "Fairmesh: $name"
+    dialog=$window
+    xdotool windowmove "$dialog" 660 0
+    shot "dialog ${name,,}"
+    fits "$name"
+    button 3 53 # Help
+    xdotool windowmove "$dialog" 100 0
+    shot "help ${name,,}"
+    fits "$name, with help"
+    button 1 22 # Close
+    sleep 1
+done
 kill -0 $meshlab || fail "MeshLab has ended"
 printf 'gui.sh: menu, dialog, preview, apply and error box are as they have to be\n'

@@ -154,6 +154,12 @@ def on_boundary(vertex_count, faces):
 SELECTED = 32  # the bit of MeshLab's flags
 
 
+def boundary_edge(faces):
+    """An edge that one face has, in the order that it has it."""
+    edges = {(int(face[k]), int(face[(k + 1) % 3])) for face in faces for k in range(3)}
+    return next((a, b) for a, b in sorted(edges) if (b, a) not in edges)
+
+
 def write_ply(path, vertices, faces, vertex=None, face=None, wedges=None, kind="float"):
     """ASCII PLY. `vertex` and `face` are further properties: name -> (type, array); `wedges` is (faces, 6)."""
     vertex, face = vertex or {}, face or {}

@@ -9,28 +9,24 @@ import subprocess
 
 WORK = pathlib.Path(os.environ.get("FAIRMESH_WORK", pathlib.Path(__file__).resolve().parents[2] / "target" / "meshlab"))
 
-FAIR = "Fair Selected Region"
-CLOSE = "Close Holes Smoothly"
-ERASE = "Erase and Fill Smoothly"
-BRIDGE = "Bridge Boundaries Smoothly"
-CURVATURE = "Mean Curvature (smooth)"
+FAIR = "Fairmesh: Fair Selected Region"
+CLOSE = "Fairmesh: Close Holes"
+ERASE = "Fairmesh: Erase and Fill"
+BRIDGE = "Fairmesh: Bridge Boundaries"
+CURVATURE = "Fairmesh: Mean Curvature"
 
 SOLVER = {
-    "join_distance": ("RichFloat", 0),
     "inner_fairness": ("RichEnum", 0, 3),
     "continuity": ("RichFloat", 0),
     "target": ("RichEnum", 0, 3),
-    "target_constant": ("RichFloat", 0),
-    "tolerance": ("RichFloat", 1e-8),
-    "check_intersections": ("RichBool", "true"),
+    "bulge": ("RichFloat", 100),
     "max_iterations": ("RichInt", 500),
 }
 PATCH = {
-    "density": ("RichFloat", 1.41421356),
-    "max_new_vertices": ("RichInt", 200000),
+    "density": ("RichFloat", 1),
     "on_failure": ("RichEnum", 0, 3),
 }
-RIM = {"relax_rim": ("RichInt", 0), "relax_within": ("RichFloat", 0)}
+RIM = {"relax_rim": ("RichInt", 0)}
 PARAMETERS = {
     FAIR: {
         "boundary_normals": ("RichEnum", 0, 4),
@@ -40,7 +36,6 @@ PARAMETERS = {
     },
     CLOSE: {
         "max_edges": ("RichInt", 0),
-        "max_length": ("RichFloat", 0),
         "except_longest": ("RichInt", 0),
         "touching_selection": ("RichBool", "false"),
         "outer_boundaries": ("RichBool", "false"),
@@ -49,7 +44,6 @@ PARAMETERS = {
         "trim": ("RichInt", 0),
         **RIM,
         **PATCH,
-        "selection_after": ("RichEnum", 0, 3),
         **SOLVER,
     },
     ERASE: {"outer_boundaries": ("RichBool", "false"), "clean_boundary": ("RichInt", 0), **RIM, **PATCH, **SOLVER},

@@ -77,14 +77,14 @@ class Sphere(Case):
         faces = mesh["face"]["vertex_indices"].astype(int)
         heights = meshes.points(mesh)[faces].mean(axis=1)[:, 2]
         old_faces = int((heights < 0.75).sum())
-        self.on_sphere(reordered(mesh, heights < 0.75), old_faces, "Close Holes, Isotropic Remeshing, Fair Selected Region")
+        self.on_sphere(reordered(mesh, heights < 0.75), old_faces, "Close Holes, Isotropic Remeshing, Fairmesh: Fair Selected Region")
 
     def test_own_filling(self):
         mesh, text = self.applied(self.file, (CLOSE, {}))
         self.assertIn("Holes closed: 1", text)
         old = meshes.points(mesh)[: len(self.vertices)]
         self.assertEqual(np.abs(old - self.vertices.astype(np.float32)).max(), 0)
-        self.on_sphere(mesh, len(self.faces), "Close Holes Smoothly")
+        self.on_sphere(mesh, len(self.faces), "Fairmesh: Close Holes")
 
 
 class Scripts(Case):
@@ -334,7 +334,7 @@ class Refused(Case):
     def test_parameters(self):
         vertices, faces, selected, _ = dented_sphere()
         file = self.case(vertices, faces, selected)
-        self.refused(file, FAIR, "Option tolerance is", tolerance=2)
+        self.refused(file, FAIR, "Option continuity is", continuity=2)
         self.refused(file, FAIR, "Parameter max_iterations is 0", max_iterations=0)
         self.refused(file, FAIR, "no per-vertex attribute 'there'", boundary_normals=3, normal_attribute="there")
         self.refused(file, CLOSE, "Parameter max_edges is 2", max_edges=2)

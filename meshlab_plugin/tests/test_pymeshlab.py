@@ -114,7 +114,7 @@ class Sphere(Case):
         self.assertTrue(values["converged"])
         self.assertEqual(values["outcome"], 0)
         self.assertEqual(values["free_vertices"], ms.current_mesh().vertex_number() - old)
-        self.on_sphere(ms, 1e-6, "Close Holes, then Fair Selected Region")
+        self.on_sphere(ms, 1e-6, "Close Holes, then Fairmesh: Fair Selected Region")
 
     def test_a_seam_across_the_dent(self):
         ms, _ = dented_sphere()
@@ -144,7 +144,7 @@ class Sphere(Case):
         self.assertEqual((values["converged"], values["outcome"], values["fill_outcome"]), (True, 0, 0))
         self.assertGreater(values["new_vertices"], 500)
         self.assertEqual(ms.current_mesh().selected_face_number(), values["new_faces"])
-        self.on_sphere(ms, 1e-6, "Close Holes Smoothly")
+        self.on_sphere(ms, 1e-6, "Fairmesh: Close Holes")
 
     @unless_old
     def test_given_normals(self):
@@ -196,17 +196,19 @@ class Answers(Case):
         "join": {"auto": "What belongs together", "none": "No"},
         "on_failure": {"best": "Best there is", "flat": "Flat", "open": "Nothing"},
     }
-    SAME = ("continuity", "tolerance", "max_iterations", "density", "max_new_vertices", "relax_rim", "relax_within")
+    SAME = ("continuity", "tolerance", "max_iterations", "max_new_vertices", "relax_rim", "relax_within")
     SAME += ("max_edges", "max_length", "max_area", "max_diagonal", "except_longest")
 
-    def parameters(self, options):
-        """None: the filters have no parameter for one of them."""
+    def parameters(self, options, size):
+        """None: the filters have no parameter for one of them. `size` is the diagonal of what is chosen."""
         made = {}
         for name, value in options.items():
             if name in self.VALUES and isinstance(value, str):
                 made[name] = self.VALUES[name][value]
             elif name == "target":
-                made.update(target="Bulged", target_constant=value)
+                made.update(target="Bulged", bulge=value * size**3)
+            elif name == "density":
+                made["density"] = value / 2**0.5
             elif name == "intersections":
                 made["check_intersections"] = value != "skip"
             elif name in self.SAME:
@@ -217,13 +219,14 @@ class Answers(Case):
 
     def run_case(self, case):
         """The mesh afterwards and what the filter tells; nothing if it cannot be said here."""
-        parameters = self.parameters(case["options"])
-        filters = {"fair": FAIR, "fill_holes": CLOSE}
-        if parameters is None or case["call"] not in filters:
-            return None
         mesh = self.FILE["meshes"][case["mesh"]]
         vertices, faces = np.array(mesh["vertices"]), np.array(mesh["faces"])
         chosen = np.isin(faces, mesh["free"]).any(axis=1)
+        size = np.linalg.norm(np.ptp(vertices[faces[chosen]].reshape(-1, 3), axis=0)) if chosen.any() else 0.0
+        parameters = self.parameters(case["options"], size)
+        filters = {"fair": FAIR, "fill_holes": CLOSE}
+        if parameters is None or case["call"] not in filters:
+            return None
         ms = mesh_set(vertices, faces, f_scalar_array=chosen.astype(float))
         ms.compute_selection_by_condition_per_face(condselect="fq > 0.5")
         return ms.current_mesh, ms.apply_filter(filters[case["call"]], **parameters)
@@ -399,6 +402,30 @@ class Close(Case):
         ms = mesh_set(*sheet)
         self.assertEqual(ms.apply_filter(CLOSE)["closed"], 0)
         self.assertEqual(ms.apply_filter(CLOSE, outer_boundaries=True)["closed"], 1)
+
+    def test_density_and_bulge_mean_the_same_at_any_size(self):
+        vertices, faces = meshes.open_sphere(4)
+        made = {}
+        for size in (1.0, 100.0):
+            for density in (1.0, 2.0):
+                ms = mesh_set(size * vertices, faces)
+                values = ms.apply_filter(CLOSE, density=density, target="Bulged", bulge=50.0)
+                self.assertTrue(values["converged"], values)
+                made[size, density] = ms.current_mesh().vertex_matrix() / size
+        self.assertLess(np.abs(made[1.0, 1.0] - made[100.0, 1.0]).max(), 1e-6)
+        self.assertGreater(np.linalg.norm(made[1.0, 1.0], axis=1).max(), 1.01)
+        new = [len(made[1.0, density]) - len(vertices) for density in (1.0, 2.0)]
+        self.assertTrue(3 < new[1] / new[0] < 5, new)
+
+    def test_holes_that_no_patch_can_close_are_counted(self):
+        vertices, faces = meshes.open_sphere(4)
+        a, b = meshes.boundary_edge(faces)
+        fins = [[b, a, len(vertices)], [b, a, len(vertices) + 1]]
+        points = np.vstack([vertices, vertices[a] * 1.2, vertices[a] * 0.8])
+        ms = mesh_set(points, np.vstack([faces, fins]))
+        values = ms.apply_filter(CLOSE)
+        self.assertFalse(values["converged"], values)
+        self.assertGreaterEqual(values["left_open"], 1)
 
 
 class Join(Case):
@@ -795,7 +822,7 @@ class Refused(Case):
         self.refused(ms, FAIR, f"Option tolerance is 2: {range_}", tolerance=2.0)
         self.refused(ms, FAIR, "Option continuity is", continuity=float("nan"))
         self.refused(ms, FAIR, "max_iterations is -5", max_iterations=-5)
-        self.refused(ms, FAIR, "Option target is", target="Bulged", target_constant=float("inf"))
+        self.refused(ms, FAIR, "Option target is", target="Bulged", bulge=float("inf"))
         self.refused(ms, FAIR, "its name is not given", boundary_normals="Attribute")
         self.refused(ms, FAIR, "no per-vertex attribute 'there'", boundary_normals="Attribute", normal_attribute="there")
         ms = mesh_set(*meshes.open_sphere(3))

@@ -47,6 +47,27 @@ pub fn of_fairing(outcome: &Outcome, has_with_others: Option<bool>) -> &'static 
     }
 }
 
+/// The same for a patch that 'fill' or 'bridge' has made, in the flags that these have.
+pub fn of_patch(is_bridge: bool, outcome: &Outcome) -> &'static str {
+    match outcome {
+        Outcome::Converged | Outcome::Cancelled | Outcome::PoorWhenRounded { .. } => outcome.remedy(),
+        Outcome::IterationLimit => {
+            "allow more --max-iterations (of a bridge, or a patch of several loops), or fair the result once more"
+        }
+        Outcome::NearestMember { .. } => "look at it: it is fair, but bends by another equation",
+        Outcome::ConvergedLoosely {
+            reason: LooseReason::Tolerance,
+        } => of_fairing(outcome, None),
+        Outcome::ConvergedLoosely {
+            reason: LooseReason::Curvature,
+        } if !is_bridge => "look at it; give a smaller --continuity, or none",
+        _ if is_bridge => "look at it; begin or end the bridge elsewhere, or give another --width",
+        _ => {
+            "look at it; --relax-rim 3 smooths a rough boundary, --trim takes slender faces there away, --erase more around it"
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -65,6 +86,7 @@ mod tests {
             }
         }
         assert!(!may_depend_on_triangles(&Outcome::Converged));
+        assert_eq!(of_patch(false, &Outcome::Converged), "");
         assert_eq!(of_fairing(&Outcome::Converged, None), "");
     }
 }

@@ -11,6 +11,7 @@ use fairmesh::{
 };
 use serde_json::{Value, json};
 
+use crate::advice;
 use crate::attempts;
 use crate::bar::Bar;
 use crate::batch::{self, Done};
@@ -363,7 +364,7 @@ pub fn told(report: &LoopReport) -> String {
         text += ", with triangles that have no area";
     }
     if report.coarsened {
-        text += ", coarser inside: vertices did not suffice";
+        text += ", coarser inside, to keep to --max-new-vertices, or to 1000 + N^2 for a loop of N edges";
     }
     if !report.outside.is_empty() {
         let _ = write!(
@@ -451,6 +452,10 @@ fn readable(filled: &Filled, args: &FillArgs, dropped: usize, [loose, cleaned]: 
             let _ = writeln!(text, "  {}", rim::told(report));
         }
         let Some(fairing) = &report.fairing else { continue };
+        let advice = advice::of_patch(false, &fairing.outcome);
+        if !advice.is_empty() && !report.is_success() {
+            let _ = writeln!(text, "  what to do: {advice}");
+        }
         let tried = args.verbose.then(|| attempts::lines(&fairing.components));
         let continued = args.continuity.is_asked();
         let continued = continued.then(|| continuity::lines(&fairing.components));

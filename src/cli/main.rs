@@ -159,3 +159,61 @@ fn run() -> Result<ExitCode, Failure> {
     }?;
     Ok(ExitCode::of(is_good))
 }
+
+#[cfg(test)]
+mod tests {
+    use fairmesh::{LooseReason, Outcome};
+
+    use super::*;
+
+    /// The flags that a text names.
+    fn flags(text: &str) -> impl Iterator<Item = &str> {
+        let words = text.split(|c: char| !(c.is_alphanumeric() || c == '-'));
+        words.filter_map(|word| word.strip_prefix("--"))
+    }
+
+    fn outcomes() -> Vec<Outcome> {
+        let reasons = [
+            LooseReason::SuspiciousNormals,
+            LooseReason::Rounding,
+            LooseReason::Bump,
+            LooseReason::Tolerance,
+            LooseReason::DrawnNormals,
+            LooseReason::Curvature,
+        ];
+        let loose = reasons.map(|reason| Outcome::ConvergedLoosely { reason });
+        let others = [
+            Outcome::NotConverged,
+            Outcome::IterationLimit,
+            Outcome::TargetNotReachable { reached: 0.5 },
+            Outcome::NearestMember { weight: 0.5 },
+        ];
+        loose.into_iter().chain(others).collect()
+    }
+
+    /// What is advised can be done with the command that advises it.
+    #[test]
+    fn advice_names_flags_that_the_command_has() {
+        let whole = command();
+        let has = |name: &str, flag: &str| {
+            let command = whole.find_subcommand(name).unwrap();
+            command.get_arguments().any(|arg| arg.get_long() == Some(flag))
+        };
+        let mut count = 0;
+        for outcome in outcomes() {
+            for (name, told) in [
+                ("fair", advice::of_fairing(&outcome, None)),
+                ("fair", advice::of_fairing(&outcome, Some(true))),
+                ("fill", advice::of_patch(false, &outcome)),
+                ("bridge", advice::of_patch(true, &outcome)),
+            ] {
+                assert!(!told.is_empty(), "{name}: {outcome:?}");
+                for flag in flags(told) {
+                    count += 1;
+                    assert!(has(name, flag), "{name}, {outcome:?}: {told}");
+                }
+            }
+        }
+        assert!(count > 20, "{count} flags");
+    }
+}

@@ -3,6 +3,7 @@
 use fairmesh::{FillOutcome, LoopReport, Outcome, Report};
 
 use super::page::Story;
+use crate::advice::of_patch;
 use crate::continuity;
 use crate::explain;
 use crate::figures::{VERTICES, listed, range, significant};
@@ -60,7 +61,7 @@ pub fn of_patches(
     }
     let remedies = patches
         .iter()
-        .filter_map(|(_, _, report)| Some(report.fairing.as_ref()?.outcome.remedy()));
+        .filter_map(|(_, _, report)| Some(of_patch(command == "bridge", &report.fairing.as_ref()?.outcome)));
     let mut faired = patches
         .iter()
         .filter_map(|(_, _, report)| report.fairing.as_ref());
