@@ -1,6 +1,7 @@
 /**
  * Makes the shapes of the page: node shapes.mjs PROGRAM HEAD.FIF FOLDER. Surfaces by the command line; the head from a file of the Python
  * package MNE. Each becomes NAME.bin.gz: four counts, then positions (double), normals given (vertex, then x, y, z as doubles), corners, and free vertices.
+ * The first one is there faired, too, as NAME-faired.bin.gz with positions alone: the page shows it before its own solver is awake.
  */
 
 import { execFileSync } from "node:child_process";
@@ -18,21 +19,32 @@ const GENERATED = {
     tetra: ["tetra-thing", "--vertices", "5000"],
 };
 
+const FIRST = "blend";
+
 const numbers = (path) => readFileSync(path, "utf8").split("\n").filter(Boolean).map((line) => line.trim().split(/\s+/).map(Number));
 
 /** The hole, which is at the bottom of the z axis, comes to the top of the picture. */
 const upright = ([x, y, z]) => [x, -z, y];
 
-function generated(given) {
-    const work = mkdtempSync(join(tmpdir(), "shapes-"));
-    const [mesh, free, normals] = ["mesh.obj", "free", "normals"].map((name) => join(work, name));
-    execFileSync(program, ["generate", ...given, "--quiet", "-o", mesh, "--free", free, "--normals", normals]);
-    const made = { positions: [], triangles: [], free: numbers(free).flat(), normals: numbers(normals) };
-    for (const line of readFileSync(mesh, "utf8").split("\n")) {
+/** Vertices and triangles of an OBJ file. */
+function read(path) {
+    const made = { positions: [], triangles: [] };
+    for (const line of readFileSync(path, "utf8").split("\n")) {
         const [what, ...rest] = line.split(" ");
         if (what === "v") made.positions.push(...rest.map(Number));
         if (what === "f") made.triangles.push(...rest.map((corner) => parseInt(corner, 10) - 1));
     }
+    return made;
+}
+
+function generated(given) {
+    const work = mkdtempSync(join(tmpdir(), "shapes-"));
+    const [mesh, free, normals, faired] = ["mesh.obj", "free", "normals", "faired.obj"].map((name) => join(work, name));
+    execFileSync(program, ["generate", ...given, "--quiet", "-o", mesh, "--free", free, "--normals", normals]);
+    const made = { free: numbers(free).flat(), normals: numbers(normals) };
+    Object.assign(made, read(mesh));
+    execFileSync(program, ["fair", mesh, "--free", free, "--normals", normals, "--quiet", "-o", faired]);
+    made.faired = read(faired).positions;
     rmSync(work, { recursive: true });
     if (given[0] === "sphere-hole") {
         made.positions = made.positions.flatMap((_, k, all) => (k % 3 === 0 ? upright(all.slice(k, k + 3)) : []));
@@ -63,12 +75,15 @@ function scanned(path) {
     return made;
 }
 
+const zipped = (arrays) => gzipSync(Buffer.concat(arrays.map((array) => Buffer.from(array.buffer))), { level: 9 });
+
 function packed({ positions, triangles, free, normals }) {
     const counts = Uint32Array.of(positions.length / 3, normals.length, triangles.length / 3, free.length);
     const arrays = [counts, Float64Array.from(positions), Float64Array.from(normals.flat()), Uint32Array.from(triangles), Uint32Array.from(free)];
-    return gzipSync(Buffer.concat(arrays.map((array) => Buffer.from(array.buffer))), { level: 9 });
+    return zipped(arrays);
 }
 
 mkdirSync(folder, { recursive: true });
 const shapes = { ...Object.fromEntries(Object.entries(GENERATED).map(([name, given]) => [name, generated(given)])), head: scanned(head) };
 for (const [name, shape] of Object.entries(shapes)) writeFileSync(join(folder, `${name}.bin.gz`), packed(shape));
+writeFileSync(join(folder, `${FIRST}-faired.bin.gz`), zipped([Float64Array.from(shapes[FIRST].faired)]));

@@ -1,6 +1,6 @@
 /** Arrows on the boundary of the region: they stand on it as the tangent planes do, and are dragged. */
 
-import { ConeGeometry, CylinderGeometry, type Group, Mesh, MeshBasicMaterial, Quaternion, SphereGeometry, Vector2, Vector3 } from "three";
+import { ConeGeometry, CylinderGeometry, type Group, Mesh, MeshLambertMaterial, Quaternion, SphereGeometry, Vector2, Vector3 } from "three";
 import { element } from "./page.js";
 import type { LoopVertex, Surface } from "./surface.js";
 import type { Viewer } from "./viewer.js";
@@ -35,9 +35,9 @@ const BALL = new SphereGeometry(0.055, 16, 12);
 /** Finds and draws the arrows. */
 export class Handles {
     readonly #viewer: Viewer;
-    readonly #idle = new MeshBasicMaterial({ color: 0x7a8793 });
-    readonly #active = new MeshBasicMaterial({ color: 0xd9730d });
-    readonly #held = new MeshBasicMaterial({ color: 0xb3126b });
+    readonly #idle = new MeshLambertMaterial({ color: 0x7c868f });
+    readonly #active = new MeshLambertMaterial({ color: 0xd98a3d });
+    readonly #held = new MeshLambertMaterial({ color: 0xe05a00, emissive: 0x6b2000 });
     #arrows: Arrow[] = [];
     /** Whether the one arrow that the sliders mean stands out, with a ring around its tip. */
     isInviting = false;
@@ -72,7 +72,7 @@ export class Handles {
                 this.#arrows.push(arrow);
                 const isMeant = number === active && k === held;
                 if (this.isInviting && isMeant) this.#invited = arrow;
-                const paint = number !== active ? this.#idle : k === held ? this.#held : this.#active;
+                const paint = number !== active || (this.isInviting && !isMeant) ? this.#idle : k === held ? this.#held : this.#active;
                 const turn = new Quaternion().setFromUnitVectors(UP, direction.normalize());
                 for (const shape of [SHAFT, HEAD, BALL]) {
                     const mesh = new Mesh(shape, paint);
@@ -119,7 +119,8 @@ export class Handles {
             const eye = this.#viewer.camera.position;
             if (hit !== null && hit.point.distanceTo(eye) < arrow.tip.distanceTo(eye) - 0.1 * size) continue;
             const outward = this.#viewer.project(arrow.foot.clone().addScaledVector(arrow.grip.inward, -size));
-            const length = outward.distanceTo(this.#viewer.project(arrow.foot));
+            // Against the ground it is seen twice as well as in front of the surface.
+            const length = outward.distanceTo(this.#viewer.project(arrow.foot)) * (hit === null ? 2 : 1);
             if (length > longest) [best, longest] = [arrow, length];
         }
         return best && { loop: best.loop, number: this.#arrows.filter(({ loop }) => loop === best.loop).indexOf(best) };

@@ -1,7 +1,7 @@
 /** The page: puts its parts together. */
 
 import { Dragging } from "./dragging.js";
-import { SHAPES, type ShapeName } from "./embedded.js";
+import { FIRST, SHAPES, type ShapeName } from "./embedded.js";
 import { costOfFile, costText, opened } from "./costs.js";
 import { type Format, readMesh, save, written } from "./files.js";
 import { fromText, maskOf, runsOf, type State, toText } from "./link.js";
@@ -13,7 +13,7 @@ import { gradient, scaleOf, type Shading } from "./shading.js";
 import { Spot } from "./spot.js";
 import { Story } from "./story.js";
 import { Viewer } from "./viewer.js";
-import { needed, unable } from "./unable.js";
+import { unable } from "./unable.js";
 import { REMEDIES } from "./words.js";
 import { isBusy, work } from "./work.js";
 
@@ -49,11 +49,12 @@ class Page {
     #told: unknown = null;
     #estimated: unknown = null;
     #estimating: ReturnType<typeof setTimeout> | undefined;
+    #isWaking = false;
     #linking: ReturnType<typeof setTimeout> | undefined;
 
-    constructor(model: Model) {
-        this.#model = model;
-        this.#viewer = new Viewer(element<HTMLCanvasElement>("canvas"), () => this.#remember());
+    constructor(model: Model, viewer: Viewer) {
+        [this.#model, this.#viewer] = [model, viewer];
+        viewer.changed = () => this.#remember();
         this.#dragging = new Dragging(model, this.#viewer, () => ({ meanCurvature: this.#isCurvatureShown }));
         this.#pointer = new Pointer(model, this.#viewer, this.#dragging);
         this.#spot = new Spot(model, this.#viewer, this.#dragging);
@@ -66,7 +67,7 @@ class Page {
             triangles: () => model.surface.triangles,
             region: () => model.region,
             frames: () => model.frames,
-            isBusy: () => isBusy() || model.isFollowing || this.#dragging.isPending,
+            isBusy: () => this.#isWaking || isBusy() || model.isFollowing || this.#dragging.isPending,
             arrows: () => this.#dragging.handles.places(),
             edits: () => model.live?.edits ?? [],
             remedies: REMEDIES,
@@ -129,16 +130,17 @@ class Page {
 
     /** The first shape, faired already, with an arrow that invites. */
     async #welcome(): Promise<void> {
-        await this.#model.take("blend");
-        this.#begun("blend");
-        await this.#model.fair({});
+        const { awake } = await this.#model.welcome();
+        this.#begun(FIRST);
         say("Drag an arrow: the surface follows. Or choose another shape, or open a file of your own.");
-        this.#story.begin();
+        this.#isWaking = true;
+        // Whoever has taken another shape meanwhile needs no story.
+        void awake.then(() => this.#story.begin(), () => undefined).finally(() => (this.#isWaking = false));
     }
 
     async #resume(state: State): Promise<void> {
         const isKnown = state.shape in SHAPES;
-        await this.#take(isKnown ? state.shape : "blend");
+        await this.#take(isKnown ? state.shape : FIRST);
         if (!isKnown) return say("The link names a shape that is not here: here is another one.", true);
         const count = () => this.#model.surface.triangles.length / 3;
         await work("Link", async (watched) => {
@@ -358,9 +360,8 @@ class Page {
 }
 
 try {
-    needed();
-    const model = await Model.start();
-    await new Page(model).start();
+    const viewer = new Viewer(element("canvas"));
+    await new Page(await Model.start(), viewer).start();
     document.documentElement.dataset["ready"] = "yes";
 } catch (why) {
     unable(why);

@@ -2,7 +2,7 @@
 
 import { createWorker, type Edit, type FairmeshWorker, type Report, type Watched, type WorkerSolver } from "../../src/index.js";
 import { type Cost, costOf } from "./costs.js";
-import { module, type Shape, shape as embedded, type ShapeName, startWorker } from "./embedded.js";
+import { faired, FIRST, module, type Shape, shape as embedded, type ShapeName, startWorker } from "./embedded.js";
 import { maskOf, runsOf, type Step } from "./link.js";
 import { type Part, partsOfHoles, partsOfRegion, saysOf, summed } from "./parts.js";
 import { lengthOf, type LoopVertex, moving, type Normals, regionLoops, Surface, type Triangles, trianglesAt, verticesOf } from "./surface.js";
@@ -52,6 +52,8 @@ export class Model {
     #carried: Edit[] = [];
     /** What is no longer live, but may be again. */
     #paused: Live | null = null;
+    /** Until the first shape can be dragged. */
+    #waking: Promise<unknown> = Promise.resolve();
     /** What the last step has come to, one by one. */
     parts: Part[] = [];
     /** Frames shown since the page was loaded. */
@@ -111,6 +113,17 @@ export class Model {
         for (const vertex of shape.free) this.#held[vertex] = 0;
     }
 
+    /** Begins with the first shape as it is when it is faired; it can be dragged as soon as the solver has come to that, too. */
+    async welcome(): Promise<{ awake: Promise<string> }> {
+        const [positions] = await Promise.all([faired(), this.take(FIRST)]);
+        const rough = this.mesh;
+        this.surface.move(positions);
+        this.changed();
+        const awake = this.#fair({}, rough);
+        this.#waking = awake.catch(() => undefined);
+        return { awake };
+    }
+
     /** Begins with a mesh of the person; the library looks at all of it first. */
     async open(mesh: Triangles): Promise<number> {
         const { length } = await this.#worker.boundaryLoops(mesh);
@@ -134,8 +147,7 @@ export class Model {
         this.choose(await this.#worker[kind](this.mesh, this.region));
     }
 
-    #remember(live: Live | null = null): void {
-        const { positions, triangles } = this.surface;
+    #remember(live: Live | null = null, { positions, triangles } = this.mesh): void {
         const { region, normals, steps } = this;
         this.#snapshots.push({ positions, triangles, region: region.slice(), normals, held: this.#held, steps: structuredClone(steps), carried: this.#carried, live });
         if (this.#snapshots.length > 30) this.#snapshots.shift();
@@ -184,7 +196,12 @@ export class Model {
 
     /** Fairs the region, and holds the solver up there. What the library has found out is told. */
     async fair(watched: Watched): Promise<string> {
-        const mesh = this.mesh;
+        await this.#waking;
+        return this.#fair(watched, this.mesh);
+    }
+
+    async #fair(watched: Watched, mesh: Triangles): Promise<string> {
+        const { surface, region } = this;
         const free = moving(this.region, this.surface, this.#held);
         const loops = regionLoops(free, this.surface, this.#held);
         const asked = await this.#worker.solver(mesh, free, { ...this.#given(loops), ...watched });
@@ -195,7 +212,8 @@ export class Model {
             if (edits.length > 0) await asked.edit(edits);
             const report = await asked.finish(watched);
             const positions = await asked.positions();
-            this.#remember();
+            if (this.surface !== surface || this.region !== region) throw new Error("another region has been taken meanwhile");
+            this.#remember(null, mesh);
             this.end();
             this.#show({ positions, triangles: mesh.triangles }, mesh);
             this.steps.push({ kind: "fair", region: runsOf(this.region), edits });

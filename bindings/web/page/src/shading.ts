@@ -1,85 +1,72 @@
 /** How surfaces are coloured: plain, by reflection lines, by mean curvature; and which side of the swipe they are on. */
 
-import { Color, DoubleSide, ShaderMaterial } from "three";
+import { Color, DoubleSide, type IUniform, MeshPhysicalMaterial, ShaderMaterial } from "three";
+import { MIRRORED, STUDIO } from "./studio.js";
 
 /** Names of the shadings, in the order of the shader's numbers. */
 export const SHADINGS = ["plain", "lines", "curvature"] as const;
 export type Shading = (typeof SHADINGS)[number];
 
-const VERTEX = /* glsl */ `
-attribute float curvature;
-attribute float chosen;
-varying vec3 at;
-varying vec3 across;
-varying float bent;
-varying float marked;
-void main() {
-    vec4 seen = modelViewMatrix * vec4(position, 1.0);
-    at = seen.xyz;
-    across = normalMatrix * normal;
-    bent = curvature;
-    marked = chosen;
-    gl_Position = projectionMatrix * seen;
-}`;
-
 /** Colours of curvature: negative, none, positive; the exponent shows small ones, too. */
 const [LOW, MIDDLE, HIGH, GAMMA] = [[0.13, 0.4, 0.67], 0.97, [0.7, 0.19, 0.12], 0.8];
 const glsl = (colour: readonly number[]) => `vec3(${colour.map((x) => x.toFixed(3)).join(", ")})`;
 
-/** Reflection lines are those of parallel lamps in the direction of x, infinitely far away: they turn with the eye. */
-const FRAGMENT = /* glsl */ `
+/** What the shader of the library of drawing gets besides: which colours, and which side of the swipe. */
+const DECLARED = /* glsl */ `
 uniform int shading;
 uniform float scale;
 uniform float cut;
 uniform float side;
-uniform vec3 front;
 uniform vec3 back;
 uniform vec3 mark;
+uniform vec3 fresh;
 uniform float strength;
-varying vec3 at;
-varying vec3 across;
 varying float bent;
 varying float marked;
 vec3 warm(float t) { return mix(vec3(${MIDDLE}), t < 0.0 ? ${glsl(LOW)} : ${glsl(HIGH)}, pow(abs(t), ${GAMMA})); }
-void main() {
-    if ((gl_FragCoord.x - cut) * side < 0.0) discard;
-    vec3 n = normalize(across) * (gl_FrontFacing ? 1.0 : -1.0);
-    float light = 0.42 + 0.50 * max(dot(n, normalize(vec3(0.35, 0.6, 0.75))), 0.0) + 0.16 * max(dot(n, normalize(vec3(-0.7, -0.2, 0.4))), 0.0);
-    vec3 colour = gl_FrontFacing ? front : back;
-    if (shading == 1) {
-        vec3 r = reflect(normalize(at), n);
-        float wave = sin(22.0 * atan(r.y, r.z + 1.0001));
-        float width = fwidth(wave) + 0.02;
-        colour = mix(vec3(0.05, 0.07, 0.11), vec3(0.80, 0.84, 0.88), smoothstep(-width, width, wave));
-        light = 0.75 + 0.25 * light;
-    } else if (shading == 2) {
-        colour = warm(clamp(bent / scale, -1.0, 1.0));
-    }
-    colour = mix(colour, mark, strength * (shading == 0 ? 1.0 : 0.4) * smoothstep(0.4, 0.6, marked));
-    gl_FragColor = vec4(colour * light, 1.0);
-    #include <colorspace_fragment>
-}`;
+vec3 unpacked(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)); }
+`;
 
-/** The material of a surface; side 1 is right of the swipe, -1 left of it. */
-export function material(side: 1 | -1): ShaderMaterial {
-    return new ShaderMaterial({
-        vertexShader: VERTEX,
-        fragmentShader: FRAGMENT,
-        side: DoubleSide,
-        polygonOffset: true,
-        polygonOffsetFactor: 1,
-        polygonOffsetUnits: 1,
-        uniforms: {
-            shading: { value: 0 },
-            scale: { value: 1 },
-            cut: { value: 0 },
-            side: { value: side },
-            front: { value: new Color(0xa9bccf) },
-            back: { value: new Color(0xb9a58e) },
-            strength: { value: 0.5 },
-            mark: { value: new Color(0x2f9e8f) },
-        },
-    });
+/** The colour of the surface itself, before light falls on it. */
+const COLOURED = /* glsl */ `
+if (!gl_FrontFacing) diffuseColor.rgb = back;
+if (shading == 2) diffuseColor.rgb = unpacked(warm(clamp(bent / scale, -1.0, 1.0)));
+float among = shading == 0 ? 1.0 : 0.4;
+diffuseColor.rgb = mix(diffuseColor.rgb, mark, strength * among * smoothstep(0.4, 0.6, marked));
+diffuseColor.rgb = mix(diffuseColor.rgb, fresh, 0.55 * among * smoothstep(0.4, 0.6, -marked));
+`;
+
+/** Reflection lines are those of parallel lamps in the direction of x, infinitely far away: they turn with the eye. */
+const STRIPED = /* glsl */ `
+if (shading == 1) {
+    vec3 r = reflect(-normalize(vViewPosition), normal);
+    float wave = sin(22.0 * atan(r.y, r.z + 1.0001));
+    float width = fwidth(wave) + 0.02;
+    vec3 stripes = mix(vec3(0.006, 0.008, 0.012), vec3(0.62, 0.66, 0.70), smoothstep(-width, width, wave));
+    outgoingLight = mix(stripes, diffuseColor.rgb, 0.4 * strength * smoothstep(0.4, 0.6, marked)) + 0.25 * totalSpecular;
+}
+`;
+
+export type SurfaceMaterial = MeshPhysicalMaterial & { uniforms: Record<string, IUniform> };
+
+/** The material of a surface, glazed clay; side 1 is right of the swipe, -1 left of it. */
+export function material(side: 1 | -1): SurfaceMaterial {
+    const made = new MeshPhysicalMaterial({ color: 0xe8e5df, roughness: 0.5, clearcoat: 0.5, clearcoatRoughness: 0.22, side: DoubleSide });
+    Object.assign(made, { polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+    const uniforms: Record<string, IUniform> = {
+        ...{ shading: { value: 0 }, scale: { value: 1 }, cut: { value: 0 }, side: { value: side }, strength: { value: 0.5 } },
+        ...{ back: { value: new Color(0xc98d68) }, mark: { value: new Color(0x2aa393) }, fresh: { value: new Color(0xe0a24a) } },
+    };
+    made.onBeforeCompile = (shader) => {
+        Object.assign(shader.uniforms, uniforms);
+        const behind = (text: string, chunk: string, more: string) => text.replace(`#include <${chunk}>`, `#include <${chunk}>\n${more}`);
+        const attributes = "attribute float curvature;\nattribute float chosen;\nvarying float bent;\nvarying float marked;";
+        shader.vertexShader = behind(behind(shader.vertexShader, "common", attributes), "begin_vertex", "bent = curvature;\nmarked = chosen;");
+        const declared = behind(behind(shader.fragmentShader, "clipping_planes_pars_fragment", STUDIO), "common", DECLARED);
+        const cut = behind(declared, "clipping_planes_fragment", "#ifdef CUT\nif ((gl_FragCoord.x - cut) * side < 0.0) discard;\n#endif");
+        shader.fragmentShader = behind(behind(cut, "color_fragment", COLOURED), "lights_fragment_maps", MIRRORED).replace("#include <opaque_fragment>", `${STRIPED}#include <opaque_fragment>`);
+    };
+    return Object.assign(made, { uniforms, defines: { ...made.defines } });
 }
 
 const WIRE_VERTEX = "void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }";

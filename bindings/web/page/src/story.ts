@@ -4,7 +4,7 @@ import type { Dragging } from "./dragging.js";
 import { element } from "./page.js";
 
 /** Seconds after which the arrow begins to turn, and has come back; at half of them the eye does not follow, at double nobody waits. */
-const [BEGINS, ENDS] = [1.4, 7];
+const [BEGINS, ENDS] = [1.2, 6];
 /** How far it turns out, in radians: at half the surface hardly moves, at double it bulges into itself. */
 const FAR = 0.75;
 
@@ -18,6 +18,8 @@ export class Story {
     readonly #dragging: Dragging;
     #start: number | null = null;
     #isInviting = false;
+    /** Whoever has touched the page before has begun without it. */
+    #isTouched = false;
 
     constructor(dragging: Dragging) {
         this.#dragging = dragging;
@@ -29,7 +31,7 @@ export class Story {
 
     /** Tells it of the surface that has just been faired. Who wants no motion gets the last line at once. */
     begin(): void {
-        if (!this.#dragging.invite()) return;
+        if (this.#isTouched || !this.#dragging.invite()) return;
         this.#isInviting = true;
         if (matchMedia("(prefers-reduced-motion: reduce)").matches) return this.#say(SAYS.yours);
         this.#start = performance.now();
@@ -60,6 +62,7 @@ export class Story {
 
     /** Ends it. Whoever has taken the arrow goes on from where it is; otherwise it goes back. */
     end(isTaken = false): void {
+        this.#isTouched = true;
         if (!this.#isInviting) return;
         this.#isInviting = false;
         element("story").hidden = true;

@@ -47,8 +47,13 @@ export class Surface {
         tree.boundsTree = this.#bvh;
         this.#picked = new Mesh(tree);
         this.#picked.raycast = acceleratedRaycast;
+        this.#shape();
+    }
+
+    #shape(): void {
         this.geometry.computeVertexNormals();
         this.geometry.computeBoundingSphere();
+        this.geometry.computeBoundingBox();
     }
 
     /** Shows other positions of the same vertices. */
@@ -57,8 +62,7 @@ export class Surface {
         const shown = this.geometry.getAttribute("position") as BufferAttribute;
         (shown.array as Float32Array).set(positions);
         shown.needsUpdate = true;
-        this.geometry.computeVertexNormals();
-        this.geometry.computeBoundingSphere();
+        this.#shape();
         this.#isMoved = true;
         this.#centres = null;
     }
@@ -126,7 +130,6 @@ export class Surface {
     }
 
     get diagonal(): number {
-        this.geometry.computeBoundingBox();
         const { min, max } = this.geometry.boundingBox!;
         return max.distanceTo(min) || 1;
     }

@@ -12,21 +12,22 @@ class Missing extends Error {
     }
 }
 
-/** Refuses where the browser has not what is needed. */
-export function needed(): void {
-    if (typeof WebAssembly !== "object") throw new Missing("this browser has no WebAssembly, in which the surface is computed", "take another browser, or allow it in the settings");
-    if (typeof Worker !== "function" || typeof DecompressionStream !== "function") throw new Missing("this browser is too old", "take one of 2023 or later");
+/** What is missing, if it is that. */
+function missing(why: unknown): unknown {
+    if (typeof WebAssembly !== "object") return new Missing("this browser has no WebAssembly, in which the surface is computed", "take another browser, or allow it in the settings");
+    if (typeof Worker !== "function" || typeof DecompressionStream !== "function") return new Missing("this browser is too old", "take one of 2023 or later");
     if (document.createElement("canvas").getContext("webgl2") === null) {
-        throw new Missing(
+        return new Missing(
             "this browser draws nothing in three dimensions: WebGL 2 is switched off, or the graphics driver is blocked",
             "switch on hardware acceleration in the browser's settings and load the page anew, or take another browser; the command line needs none of it",
         );
     }
+    return why;
 }
 
 /** Says why, and switches everything off. */
 export function unable(why: unknown): void {
-    const text = told(why);
+    const text = told(missing(why));
     element("unable").hidden = false;
     document.querySelector("#unable p")!.textContent = text;
     for (const control of document.querySelectorAll<HTMLInputElement>("button, select, input, fieldset")) control.disabled = true;

@@ -1,12 +1,20 @@
 /** The view: camera, drawing when something has changed, and rays through the pointer. */
 
-import { BufferGeometry, Group, Mesh, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { BufferGeometry, Group, Mesh, NeutralToneMapping, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { Ground } from "./ground.js";
 import { material, type Shading, SHADINGS, wires } from "./shading.js";
+import { lights } from "./studio.js";
 import type { Surface } from "./surface.js";
 
 /** Eye and what it looks at, in the surface's units. */
 export type View = [number, number, number, number, number, number];
+
+/** Milliseconds that a picture waits for the one before: more are seen as steps; and after so many without one the hand rests. At half, fast machines draw
+ *  coarsely now and then; at double, those without a graphics card (300 ms a picture of 1280 x 720) do not follow. */
+const [SLOW, REST] = [70, 400];
+/** No coarser than about this many pixels per pixel of the window, each way: at half arrows are no longer seen, at double it does not help. */
+const COARSEST = 0.5;
 
 export class Viewer {
     readonly canvas: HTMLCanvasElement;
@@ -19,22 +27,35 @@ export class Viewer {
     readonly #after = new Mesh(new BufferGeometry(), material(1));
     readonly #before = new Mesh(new BufferGeometry(), material(-1));
     readonly #wires = new Mesh(new BufferGeometry(), wires());
+    readonly #ground = new Ground();
     readonly #rays = new Raycaster();
     /** What lies over the picture, and is put in its place when that is new. */
     readonly overlays: (() => void)[] = [];
     #isAsked = false;
     #swipe = 0;
+    #hasBefore = false;
+    /** Pixels of the picture per pixel of the window: fewer while it moves, where drawing is slow. */
+    #sharpness = 1;
+    /** How many pictures in a row have come slowly. */
+    #slow = 0;
+    #resting: ReturnType<typeof setTimeout> | undefined;
 
-    constructor(canvas: HTMLCanvasElement, changed: () => void) {
+    /** The eye has moved. */
+    changed: () => void = () => undefined;
+
+    constructor(canvas: HTMLCanvasElement) {
         this.canvas = canvas;
         this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
-        this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-        this.#scene.add(this.#before, this.#after, this.#wires, this.handles);
+        // Bright colours stay what they are.
+        this.#renderer.toneMapping = NeutralToneMapping;
+        this.#scene.add(...lights(), this.#ground.plane, this.#before, this.#after, this.#wires, this.handles);
         this.#before.visible = false;
         this.#wires.visible = false;
         this.controls = new OrbitControls(this.camera, canvas);
         this.controls.enableDamping = false;
-        this.controls.addEventListener("change", () => (this.draw(), changed()));
+        this.controls.addEventListener("change", () => (this.draw(), this.changed()));
+        // Takes a while, elsewhere: meanwhile the page goes on.
+        void this.#renderer.compileAsync(this.#scene, this.camera);
         new ResizeObserver(() => this.#resize()).observe(canvas.parentElement!);
         this.#resize();
     }
@@ -42,6 +63,7 @@ export class Viewer {
     #resize(): void {
         const { clientWidth, clientHeight } = this.canvas.parentElement!;
         if (clientWidth === 0 || clientHeight === 0) return;
+        this.#renderer.setPixelRatio(this.#sharpness * Math.min(devicePixelRatio, 2));
         this.#renderer.setSize(clientWidth, clientHeight, false);
         this.camera.aspect = clientWidth / clientHeight;
         this.camera.updateProjectionMatrix();
@@ -52,22 +74,42 @@ export class Viewer {
     draw(): void {
         if (this.#isAsked) return;
         this.#isAsked = true;
+        const asked = performance.now();
         requestAnimationFrame(() => {
             this.#isAsked = false;
+            this.#pace(performance.now() - asked);
             const cut = this.#swipe * this.#renderer.domElement.width;
             for (const { material } of [this.#before, this.#after, this.#wires]) material.uniforms["cut"]!.value = cut;
+            this.#ground.draw(this.#renderer);
             this.#renderer.render(this.#scene, this.camera);
             for (const place of this.overlays) place();
         });
+    }
+
+    /** Coarser pictures while they come too slowly; the last one is sharp again. */
+    #pace(waited: number): void {
+        clearTimeout(this.#resting);
+        this.#slow = waited > SLOW ? this.#slow + 1 : 0;
+        if (this.#slow > 2 && this.#sharpness > COARSEST) {
+            this.#slow = 0;
+            this.#sharpen(this.#sharpness * 0.67);
+        }
+        if (this.#sharpness < 1) this.#resting = setTimeout(() => this.#sharpen(1), REST);
+    }
+
+    #sharpen(sharpness: number): void {
+        this.#sharpness = sharpness;
+        this.#resize();
     }
 
     /** Shows a surface, and what it was before, left of the swipe. */
     show(after: Surface, before: Surface | null): void {
         this.#after.geometry = after.geometry;
         this.#wires.geometry = after.geometry;
+        this.#ground.under(after.geometry);
         this.#before.geometry = before?.geometry ?? new BufferGeometry();
-        this.#before.visible = before !== null;
-        this.draw();
+        this.#hasBefore = before !== null;
+        this.swipe(this.#swipe);
     }
 
     /** How strongly the region is coloured. */
@@ -78,12 +120,23 @@ export class Viewer {
 
     /** How much of the view, from the left, shows what was before; 0 to 1. */
     swipe(part: number): void {
-        this.#swipe = this.#before.visible ? part : 0;
+        this.#swipe = this.#hasBefore ? part : 0;
+        const isCut = this.#swipe > 0;
+        this.#before.visible = isCut;
+        // Without a cut the far side is not even coloured.
+        for (const { material } of [this.#before, this.#after]) {
+            if ("CUT" in material.defines! === isCut) continue;
+            if (isCut) material.defines!["CUT"] = "";
+            else delete material.defines!["CUT"];
+            material.needsUpdate = true;
+        }
         this.draw();
     }
 
     shade(shading: Shading, scale: number, hasWires: boolean): void {
         for (const { material } of [this.#before, this.#after]) {
+            // Makes room for the lines. Without them it would put the far side before the near one where both are seen from the side.
+            material.polygonOffset = hasWires;
             material.uniforms["shading"]!.value = SHADINGS.indexOf(shading);
             material.uniforms["scale"]!.value = scale;
         }

@@ -19,8 +19,11 @@ const invited = (page) => page.$eval("#invite", (ring) => {
 
 test("it opens on a fair surface; one arrow turns by itself and comes back within ten seconds", async () => {
     const { page, seen } = await opened(browser, { isStoryTold: true });
+    const shown = await positions(page);
+    await page.waitForSelector("#story:not([hidden])");
     assert.ok((await page.evaluate("fairmesh.arrows()")).length > 8, "arrows are there");
     const fair = await positions(page);
+    assert.ok(difference(shown, fair) < 1e-6, "what was seen first was fair already");
     assert.match(await story(page), /smooth/);
     const start = performance.now();
     await page.waitForFunction("Math.abs(fairmesh.edits()[0]?.angle) > 0.4");
@@ -64,6 +67,7 @@ test("whoever takes the arrow while it turns goes on from where it is", async ()
 
 test("who wants no motion sees none: a line says what to do", async () => {
     const { page } = await opened(browser, { isStoryTold: true, features: [{ name: "prefers-reduced-motion", value: "reduce" }] });
+    await page.waitForSelector("#story:not([hidden])");
     const before = await page.evaluate("fairmesh.frames()");
     assert.match(await story(page), /^Now you/);
     await new Promise((done) => setTimeout(done, 2500));
@@ -74,8 +78,6 @@ test("who wants no motion sees none: a line says what to do", async () => {
 
 for (const [name, viewport] of [["a desktop", DESKTOP], ["a phone", PHONE]]) {
     test(`on ${name} a stranger who does what is said has a faired answer within 20 seconds`, async () => {
-        const page = await browser.newPage();
-        await page.close();
         const start = performance.now();
         const stranger = await opened(browser, { viewport, isStoryTold: true });
         await stranger.page.waitForFunction("document.querySelector('#story').textContent.startsWith('Now you')");
