@@ -82,7 +82,7 @@ _WORDS = {
         ),
         Outcome.NEAREST_MEMBER: (
             "no surface is {target.HARMONIC}; a smooth one with these tangents, towards {target.MINIMAL_ENERGY}, is written",
-            "Look at it: it is fair. Another selection may have one that is",
+            "Look at it. {target.MINIMAL_ENERGY} often suits elbows; another selection may have one that is",
         ),
     },
     LooseReason: {

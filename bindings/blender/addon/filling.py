@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 import bpy
 import numpy as np
 
-from . import advice, fairmesh, found, messages, pairs, patch, snapshot
+from . import advice, fairmesh, found, messages, pairs, patch, rows, snapshot
 from .fairing_options import FairingOptions
 from .job import for_each
 from .patch_options import PatchOptions, RimOptions
@@ -82,11 +82,13 @@ class Filling(FairingOptions, PatchOptions):
             largest_diagonal((holes.mesh, loop.vertices) for holes in chosen for _, loop in holes.loops)
         )
 
+        has_rows = self.faces != "TRIANGLES" and self.smooth and not getattr(self, "relax_rim", 0)
+        density, fairing = self.density, {name: keywords[name] for name in self.fairing_keywords(1.0)}
         rim_keywords = self.rim_keywords() if isinstance(self, RimOptions) else lambda size: {}
 
         def compute(holes, monitor):
             mesh = holes.mesh
-            return fairmesh.fill_holes(
+            filled = fairmesh.fill_holes(
                 mesh.seen(),
                 holes.triangles,
                 loops=holes.listed(),
@@ -96,6 +98,8 @@ class Filling(FairingOptions, PatchOptions):
                 **rim_keywords(mesh.size),
                 **keywords,
             )
+            # Pairs say how the loops are turned against each other.
+            return rows.instead(holes, filled, density, fairing, monitor) if has_rows and not holes.guides else filled
 
         return for_each(chosen, compute)
 
@@ -123,7 +127,7 @@ class Filling(FairingOptions, PatchOptions):
                 return {"CANCELLED"}
         bpy.ops.mesh.select_all(action="DESELECT")
         for holes in chosen:
-            patch.add(holes.mesh, holes.result, holes.erased, holes.moved())
+            patch.add(holes.mesh, holes.result, holes.erased, holes.moved(), pair=self.faces == "QUADS")
             kind, text = self.told(holes)
             more = len(holes.erased) - np.count_nonzero(holes.mesh.face_selected[holes.erased])
             if holes.trimmed:

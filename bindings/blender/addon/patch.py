@@ -5,16 +5,22 @@ New vertices have three parents among the old ones, with weights: what can be in
 shading and other values from a face at their hole's boundary.
 """
 
+from math import radians
+
 import bmesh
 import numpy as np
 
 from . import snapshot
 
+# As Face > Tris to Quads has it: how far two triangles may be bent, and a quad's corners from right angles.
+_PAIR = {"angle_face_threshold": radians(40), "angle_shape_threshold": radians(40)}
 
-def add(mesh, filled, erased=(), moved=()):
+
+def add(mesh, filled, erased=(), moved=(), pair=False):
     """Adds what a `fairmesh.Filled` or `fairmesh.Bridged` has more than the `Snapshot` it was made of, and selects it.
 
     `erased`: the numbers of faces that go, and of which nothing is left then. `moved`: those of old vertices that move.
+    `pair`: whether new triangles become quads, where two make a good one.
     """
     edit_mesh = snapshot.edit_mesh(mesh)
     movers = [edit_mesh.verts[index] for index in moved]
@@ -33,6 +39,9 @@ def add(mesh, filled, erased=(), moved=()):
             if vertex.is_valid:
                 vertex.co = place
         _clean(edit_mesh, *remains)
+        if pair:
+            edit_mesh.normal_update()
+            bmesh.ops.join_triangles(edit_mesh, faces=[face for face in patch.faces if len(face.verts) == 3], **_PAIR)
     except BaseException:
         patch.remove()
         raise

@@ -18,6 +18,17 @@ class PatchOptions:
         soft_min=0.5,
         soft_max=4.0,
     )
+    faces: selection(
+        "Faces",
+        "What the new faces are",
+        (
+            "AUTO",
+            "Automatic",
+            "Rows of quads between two loops that have equally many edges with quads at them; otherwise triangles",
+        ),
+        ("TRIANGLES", "Triangles", "Triangles alone"),
+        ("QUADS", "Quads", "Such rows, or pairs of triangles as Tris to Quads makes of them; what is left stays triangles"),
+    )
     smooth: switch("Fair", "Make the patch a smooth continuation of its surroundings. Off: it stays as triangulated", True)
     on_failure: selection(
         "If Not Fair",
@@ -38,6 +49,7 @@ class PatchOptions:
 
     def draw_patch(self, layout):
         layout.prop(self, "density")
+        choice(layout, self, "faces", "Faces")
         layout.prop(self, "smooth")
         if self.smooth:
             choice(layout, self, "on_failure", "If Not Fair")

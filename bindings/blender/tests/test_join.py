@@ -12,6 +12,7 @@ import common
 import numpy as np
 import runner
 from common import boundary_edges, coordinates, delete_faces, edit, irregular_sphere, part, select_boundary, select_faces
+from mathutils.bvhtree import BVHTree
 
 BAR = 1e-5
 common.install(runner.arguments()[0])
@@ -81,6 +82,85 @@ def test_a_part_that_is_turned_around_is_refused_with_both_loops():
     assert np.array_equal(coordinates(obj), before)
     bpy.ops.mesh.fairmesh_select_found()
     assert {v.index for v in bmesh.from_edit_mesh(obj.data).verts if v.select} == ends
+
+
+def cylinders(gap, angle=0.0):
+    """Two of Blender's own cylinders, their ends so many radii apart along an arc that turns so much: the facing loops."""
+    radius = gap / angle if angle else 0.0
+    end = np.array([radius * (1 - np.cos(angle)), 0, 1 + radius * np.sin(angle)]) if angle else np.array([0, 0, 1.0 + gap])
+    axis = np.array([np.sin(angle), 0, np.cos(angle)])
+    for place, turn in (((0, 0, 0), 0.0), (end + axis, angle)):
+        bpy.ops.mesh.primitive_cylinder_add(end_fill_type="NOTHING", location=place, rotation=(0, turn, 0))
+    bpy.ops.object.select_all(action="SELECT")
+    bpy.ops.object.join()
+    obj = bpy.context.object
+    edit(obj, "EDGE")
+    ends = [np.linalg.inv(np.array(obj.matrix_world)) @ [*place, 1] for place in ((0, 0, 1), end)]
+    select_boundary(obj, lambda e: min(np.linalg.norm(np.array(e.verts[0].co) - at[:3]) for at in ends) < 1.01)
+    return obj
+
+
+def new_faces(obj):
+    return [face for face in bmesh.from_edit_mesh(obj.data).faces if face.select]
+
+
+def widths(obj):
+    """Half the way through the patch, from each of its vertices."""
+    mesh = bmesh.from_edit_mesh(obj.data)
+    mesh.normal_update()
+    tree = BVHTree.FromBMesh(mesh)
+    inner = [v for v in mesh.verts if v.select and all(face.select for face in v.link_faces)]
+    hits = [tree.ray_cast(v.co - 1e-4 * v.normal, -v.normal)[3] for v in inner]
+    return np.array([hit for hit in hits if hit is not None]) / 2
+
+
+def test_default_cylinders_are_joined_by_rows_of_quads():
+    for gap in range(1, 7):
+        common.clear()
+        obj = cylinders(gap)
+        assert join() == {"FINISHED"}
+        faces = new_faces(obj)
+        assert all(len(face.verts) == 4 for face in faces) and len(faces) % 32 == 0 and len(faces) > 100 * gap, len(faces)
+        points = np.array([v.co[:] for face in faces for v in face.verts])
+        radius = np.linalg.norm(points[:, :2], axis=1)
+        assert np.abs(radius - 1).max() < 2e-3, (gap, radius.min(), radius.max())
+        # The columns go on from those of the cylinders.
+        columns = np.degrees(np.arctan2(points[:, 1], points[:, 0])) / 11.25
+        assert np.abs(columns - columns.round()).max() < 0.01
+
+
+def test_elbows_keep_their_width():
+    for gap, degrees, least in ((1, 30, 0.99), (2, 60, 0.97), (3, 90, 0.86), (3, 30, 0.98), (6, 60, 0.98), (6, 90, 0.92)):
+        common.clear()
+        obj = cylinders(gap, np.radians(degrees))
+        assert join() == {"FINISHED"}
+        assert all(len(face.verts) == 4 for face in new_faces(obj)), (gap, degrees)
+        assert widths(obj).min() > least, (gap, degrees, widths(obj).min())
+    for gap in (3, 4, 5):
+        common.clear()
+        obj = cylinders(gap, np.radians(90))
+        assert join(target="MINIMAL_ENERGY") == {"FINISHED"}
+        assert widths(obj).min() > 0.99, (gap, widths(obj).min())
+
+
+def test_faces_are_what_is_asked_for():
+    obj = cylinders(2)
+    assert join(faces="TRIANGLES") == {"FINISHED"}
+    assert {len(face.verts) for face in new_faces(obj)} == {3}
+    # In a hole there are no rows: pairs of triangles.
+    for faces, least in (("AUTO", 0.0), ("QUADS", 0.55)):
+        common.clear()
+        obj = common.uv_sphere(48, 24)
+        delete_faces(obj, lambda f: f.calc_center_median().x > 0.5)
+        select_boundary(obj)
+        others = len(bmesh.from_edit_mesh(obj.data).faces)
+        assert fill(faces=faces) == {"FINISHED"}
+        mesh = bmesh.from_edit_mesh(obj.data)
+        corners = [len(face.verts) for face in mesh.faces if face.select]
+        assert len(mesh.faces) == others + len(corners)
+        share = corners.count(4) / len(corners)
+        assert share >= least and (share > 0) == (faces == "QUADS"), share
+        check_whole_sphere(obj)
 
 
 def test_two_loops_are_needed():
