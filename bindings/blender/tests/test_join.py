@@ -148,7 +148,7 @@ def test_faces_are_what_is_asked_for():
     assert join(faces="TRIANGLES") == {"FINISHED"}
     assert {len(face.verts) for face in new_faces(obj)} == {3}
     # In a hole there are no rows: pairs of triangles.
-    for faces, least in (("AUTO", 0.0), ("QUADS", 0.55)):
+    for faces, least in (("AUTO", 0.0), ("QUADS", 0.5)):
         common.clear()
         obj = common.uv_sphere(48, 24)
         delete_faces(obj, lambda f: f.calc_center_median().x > 0.5)
