@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
-from . import fairmesh, found, menus, messages, region, snapshot, triangulation
+from . import custom_normals, fairmesh, found, menus, messages, region, snapshot, triangulation
 from .fairing_options import FairingOptions, RegionOptions
 from .job import Background, for_each
 
@@ -65,7 +65,9 @@ class MESH_OT_fairmesh_fair(Background, RegionOptions, FairingOptions, bpy.types
         for part in regions:
             snapshot.edit_mesh(part.mesh)  # all are still there, before the first is changed
         for part, (indices, positions) in zip(regions, moved):
+            custom_normals.mark(part.mesh)
             snapshot.write_positions(part.mesh, indices, positions)
+        custom_normals.put_back(part.mesh for part in regions)
         last_reports[:] = [part.result.report for part in regions]
         for part in regions:
             kind, text = messages.faired(part.result.report, self.continuity)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 import bpy
 import numpy as np
 
-from . import advice, fairmesh, found, messages, pairs, patch, rows, snapshot
+from . import advice, custom_normals, fairmesh, found, messages, pairs, patch, rows, snapshot
 from .fairing_options import FairingOptions
 from .job import for_each
 from .patch_options import PatchOptions, RimOptions
@@ -127,6 +127,7 @@ class Filling(FairingOptions, PatchOptions):
                 return {"CANCELLED"}
         bpy.ops.mesh.select_all(action="DESELECT")
         for holes in chosen:
+            custom_normals.mark(holes.mesh)
             patch.add(holes.mesh, holes.result, holes.erased, holes.moved(), pair=self.faces == "QUADS")
             kind, text = self.told(holes)
             more = len(holes.erased) - np.count_nonzero(holes.mesh.face_selected[holes.erased])
@@ -137,6 +138,7 @@ class Filling(FairingOptions, PatchOptions):
             for count, why in holes.skipped:
                 text += f"; {count} left open: {why}"
             self.tell({kind}, messages.name_before(chosen, holes) + text)
+        custom_normals.put_back(holes.mesh for holes in chosen)
         return {"FINISHED"}
 
 

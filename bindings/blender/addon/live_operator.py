@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty, BoolVectorProperty, CollectionProperty, EnumProperty, IntProperty
 
-from . import advice, fair_operator, job, live_run, menus, messages, region, snapshot, triangulation
+from . import advice, custom_normals, fair_operator, job, live_run, menus, messages, region, snapshot, triangulation
 from .fairing_options import FairingOptions, RegionOptions
 from .job import Background
 from .live_edits import FAIRMESH_PG_live_edit
@@ -116,7 +116,9 @@ class MESH_OT_fairmesh_live(Background, RegionOptions, FairingOptions, bpy.types
         with messages.about(live.mesh):
             live.finish()
         indices, positions = live.final()
+        custom_normals.mark(live.mesh)
         snapshot.write_positions(live.mesh, indices, positions)
+        custom_normals.put_back([live.mesh])
         fair_operator.last_reports[:] = [live.result.report]
         kind, text = messages.faired(live.result.report, self.continuity)
         self.tell({kind}, text)

@@ -10,7 +10,7 @@ from math import radians
 import bmesh
 import numpy as np
 
-from . import snapshot
+from . import custom_normals, snapshot
 
 # As Face > Tris to Quads has it: how far two triangles may be bent, and a quad's corners from right angles.
 _PAIR = {"angle_face_threshold": radians(40), "angle_shape_threshold": radians(40)}
@@ -34,6 +34,7 @@ def add(mesh, filled, erased=(), moved=(), pair=False):
     try:
         patch.add_vertices(positions)
         patch.add_faces(triangles)
+        custom_normals.is_new(edit_mesh, patch.faces)
         # Shape keys are carried on from where the old vertices were.
         for vertex, place in zip(movers, places):
             if vertex.is_valid:

@@ -10,7 +10,7 @@ from functools import cached_property
 import bmesh
 import numpy as np
 
-from . import fairmesh
+from . import custom_normals, fairmesh
 
 
 class Stale(Exception):
@@ -41,6 +41,8 @@ class Snapshot:
     on_boundary: np.ndarray
     #: 3 by 3: where lengths and angles are those seen in the scene. None: in the object's own coordinates.
     shape: object
+    #: Custom normals of the corners, (k, 3), or None.
+    normals: object
     #: How many times larger the object is seen than its `seen` vertices are.
     size: float
 
@@ -113,6 +115,7 @@ def read(obj):
         edge_faces=edge_faces,
         on_boundary=_on_boundary(mesh, edge_faces),
         shape=_shape(obj),
+        normals=custom_normals.read(mesh),
         size=_size(obj),
     )
 
