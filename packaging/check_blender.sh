@@ -56,11 +56,14 @@ inside() {
     [ "$target" != macos-aarch64 ] || "$llvm/llvm-objdump" --macho --private-headers "$top/lib/$platform/$file" | grep -q LC_CODE_SIGNATURE ||
         bad "the library is not signed"
     other=$(find "$top" -type f ! -path "$top/lib/$platform/$file" ! -name '*.py' ! -name '*.png' ! -path "$top/manual/index.html" \
-        ! -path "$top/blender_manifest.toml" ! -name 'LICENSE*' ! -path "$top/lib/THIRD-PARTY.txt")
+        ! -path "$top/blender_manifest.toml" ! -path "$top/icons/fairmesh.live.dat" ! -name 'LICENSE*' ! -path "$top/lib/THIRD-PARTY.txt")
     [ -z "$other" ] || bad "there is more inside than belongs there: $other"
     for other in LICENSE fairmesh/LICENSE-MIT fairmesh/LICENSE-APACHE lib/THIRD-PARTY.txt manual/index.html; do
         [ -s "$top/$other" ] || bad "$other is missing"
     done
+    other=$(find "$top/fairmesh" -name '_host_*')
+    [ -z "$other" ] || bad "files for other packages are inside: $other"
+    grep -q '^website = "https://' "$top/blender_manifest.toml" || bad "the manifest has no website"
     grep -qx "platforms = \[\"$platform\"\]" "$top/blender_manifest.toml" || bad "the manifest is for another platform"
     ! grep -rlF -e "$root" -e "$HOME/" "$top" || bad "a path of this machine is inside"
     say "$size bytes; the library of ${archive##*/} inside, nothing of another platform"

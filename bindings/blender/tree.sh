@@ -6,7 +6,8 @@
 # Blender 3.4 to 4.1 installs the zip as an add-on, which takes one folder in it; 4.2 and later as an extension, which may have one.
 # Zips of one commit have the same bytes.
 addon_zip() {
-    local platform=$1 library=$2 licences=$3 zip=$4 tree=$out/tree-$1 file=libfairmesh.so
+    local platform=$1 library=$2 licences=$3 zip=$4 tree=$out/tree-$1 file=libfairmesh.so website
+    website=$(sed -n 's/^repository = "\(.*\)"/\1/p' Cargo.toml)
     case $platform in
     windows-*) file=fairmesh.dll ;;
     macos-*) file=libfairmesh.dylib ;;
@@ -19,9 +20,12 @@ addon_zip() {
     rm -rf "$tree"
     mkdir -p "$top/lib/$platform" "$top/fairmesh"
     cp -r bindings/blender/addon/*.py bindings/blender/addon/preset_files bindings/blender/addon/LICENSE "$top"
-    sed "s/^platforms = .*/platforms = [\"$platform\"]/" bindings/blender/addon/blender_manifest.toml >"$top/blender_manifest.toml"
+    sed -e "s/^platforms = .*/platforms = [\"$platform\"]/" -e "s|^website = .*|website = \"$website\"|" \
+        bindings/blender/addon/blender_manifest.toml >"$top/blender_manifest.toml"
     bindings/declarations.sh python
     cp bindings/python/src/fairmesh/*.py LICENSE-MIT LICENSE-APACHE "$top/fairmesh"
+    # They read meshes of other packages, which Blender does not have.
+    rm "$top"/fairmesh/_host_*.py
     cp "$licences" "$top/lib/THIRD-PARTY.txt"
     cp "$library" "$top/lib/$platform/$file"
     python3 bindings/blender/icon.py "$top/icons/fairmesh.live.dat"

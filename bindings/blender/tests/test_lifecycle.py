@@ -11,6 +11,7 @@ import tempfile
 import threading
 import time
 import unittest.mock
+import zipfile
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -119,6 +120,17 @@ def test_copies_that_windows_has_kept_are_removed():
             os.utime(path.parent, (time.time() - 2 * 86400,) * 2)
         module().native.remove_kept(tempfile.gettempdir(), "fairmesh.dll")
         assert any(path.exists() for path in copies)
+
+
+def test_the_zip_has_what_this_platform_needs_and_no_more():
+    with zipfile.ZipFile(ZIP) as file:
+        names = file.namelist()
+        manifest = file.read("fairmesh_blender/blender_manifest.toml").decode()
+    (platform,) = re.findall(r'^platforms = \["(.*)"\]$', manifest, re.MULTILINE)
+    binary = [name for name in names if name.endswith((".so", ".dll", ".dylib", ".pyd", ".whl"))]
+    assert len(binary) == 1 and binary[0].startswith(f"fairmesh_blender/lib/{platform}/"), binary
+    assert not [name for name in names if "_host_" in name], "files for meshes of other packages"
+    assert re.search(r'^website = "https://', manifest, re.MULTILINE)
 
 
 def test_disabled_and_enabled():
