@@ -573,6 +573,35 @@ def refused(obj, *parts):
     return message
 
 
+def test_noise_is_for_smoothing_and_a_wrong_shape_for_fairing():
+    """As the document says: of a shape that is right but for noise Smooth Vertices keeps more, as fairing forgets it."""
+    random = np.random.default_rng(3)
+    errors = {}
+    for flaw in ("noise", "dent"):
+        for way in ("smooth", "fair"):
+            common.clear()
+            obj = common.geodesic_sphere(40)
+            ball = coordinates(obj)
+            truth = ball * (1 + 0.04 * np.sin(5 * ball[:, :1]) * np.cos(4 * ball[:, 1:2]) * (flaw == "noise"))
+            common.move(obj, truth * (1 + 0.004 * random.standard_normal((len(truth), 1)) * (flaw == "noise")))
+            common.edit(obj)
+            common.select_faces(obj, lambda face: all(v.co.z > 0.6 for v in face.verts))
+            mesh = bmesh.from_edit_mesh(obj.data)
+            inside = [v.index for v in mesh.verts if v.select and all(face.select for face in v.link_faces)]
+            mesh.verts.ensure_lookup_table()
+            for index in inside if flaw == "dent" else ():
+                mesh.verts[index].co.z = 0.6
+            bmesh.update_edit_mesh(obj.data)
+            if way == "smooth":
+                bpy.ops.mesh.vertices_smooth(factor=0.5, repeat=20)
+            else:
+                fair()
+            off = np.linalg.norm(coordinates(obj)[inside], axis=1) - np.linalg.norm(truth[inside], axis=1)
+            errors[flaw, way] = np.sqrt((off**2).mean())
+    assert errors["noise", "smooth"] < errors["noise", "fair"] / 1.5, errors
+    assert errors["dent", "fair"] < errors["dent", "smooth"] / 1000, errors
+
+
 def test_nothing_selected():
     obj, _ = dented()
     bpy.ops.mesh.select_all(action="DESELECT")
