@@ -64,8 +64,9 @@ def button(value, x, y, kind="LEFTMOUSE"):
     bpy.context.window_manager.windows[0].event_simulate(type=kind, value=value, x=int(x), y=int(y))
 
 
-def click(x, y):
-    window = bpy.context.window_manager.windows[0]
+def click(x, y, number=0):
+    """Clicks in a window, by default the main one."""
+    window = bpy.context.window_manager.windows[number]
     # Blender has to see where the pointer is before it is pressed.
     for offset in (30, 0):
         window.event_simulate(type="MOUSEMOVE", value="NOTHING", x=x - offset, y=y)
@@ -97,8 +98,8 @@ def wait_until(condition, seconds):
         yield POLL
 
 
-def run(steps):
-    """Does the steps, one after the other, and ends Blender."""
+def run(steps, install=True):
+    """Does the steps, one after the other, and ends Blender. `install`: not by the steps themselves."""
 
     def drive():
         try:
@@ -111,6 +112,7 @@ def run(steps):
             picture("failed")
             common.leave(1)
 
-    common.install(ZIP)
+    if install:
+        common.install(ZIP)
     bpy.context.preferences.view.show_splash = False
     bpy.app.timers.register(drive, first_interval=2.0)
