@@ -51,6 +51,7 @@ def held():
 def scene(make):
     """A sphere with its cap flat and selected; seen from above at an angle."""
     common.clear()
+    part("found").begin()
     obj = make()
     free = common.flatten_cap(obj)
     space = view()["area"].spaces.active
