@@ -67,7 +67,8 @@ def _named(why):
 
 def faired(report, continuity=0.0, is_patch=False):
     """How a fairing, or that of new faces, went; `continuity` of curvature was asked for: ("INFO" or "WARNING", text)."""
-    vertices = f"{report.free_vertices} vertices faired in {report.iterations} iterations"
+    count = _many(report.iterations, "iteration", "iterations")
+    vertices = f"{_many(report.free_vertices, 'vertex', 'vertices')} faired in {count}"
     short = _short_of_curvature([report], continuity)
     if report.outcome is Outcome.CONVERGED:
         return "INFO", vertices + short
@@ -95,11 +96,11 @@ def _short_of_curvature(reports, asked):
 
 def _components(report):
     """How many components of the region are fair, where some are and some are not."""
-    fair = sum(component.outcome.is_success for component in report.components)
-    if fair == 0:
+    bad = [component for component in report.components if not component.outcome.is_success]
+    fair = len(report.components) - len(bad)
+    if not fair or not bad:
         return ""
-    first = next(component for component in report.components if not component.outcome.is_success)
-    return f" ({fair} of {len(report.components)} separate parts are fair; one that is not is at vertex {first.vertex})"
+    return f" ({fair} of {len(report.components)} separate parts are fair; one that is not is at vertex {bad[0].vertex})"
 
 
 def filled(loops, places, continuity=0.0, size=1.0):
@@ -136,20 +137,23 @@ def bridged(result, is_faired):
 
 def faces(count):
     """The subject of a sentence."""
-    return f"{count} {'face was' if count == 1 else 'faces were'}"
+    return _many(count, "face was", "faces were")
+
+
+def _many(count, one, more):
+    return f"{count} {one if count == 1 else more}"
 
 
 def _count(closed):
     """How many holes were filled, and how many loops joined."""
     joined = [loop for loop in closed if len(loop.loop_indices) > 1]
     parts = []
-    if len(joined) < len(closed) or not closed:
-        single = len(closed) - len(joined)
-        parts.append(f"{single} {'hole' if single == 1 else 'holes'} filled")
+    if len(joined) < len(closed):
+        parts.append(f"{_many(len(closed) - len(joined), 'hole', 'holes')} filled")
     if joined:
         count = sum(len(loop.loop_indices) for loop in joined)
-        parts.append(f"{count} loops joined by {len(joined)} {'patch' if len(joined) == 1 else 'patches'}")
-    return ", ".join(parts)
+        parts.append(f"{count} loops joined by {_many(len(joined), 'patch', 'patches')}")
+    return ", ".join(parts) or "nothing filled"
 
 
 def _moved(closed, size):

@@ -86,7 +86,7 @@ def test_a_patch_whose_iterations_ran_out_is_faired_once_more():
     common.delete_faces(obj, lambda face: face.calc_center_median().z > 0.3)
     common.select_boundary(obj)
     bpy.ops.mesh.fairmesh_fill_holes(max_iterations=1)
-    assert "in 1 iterations" in said() and "Fair Selection with Region: Inside Faces" in said(), said()
+    assert "in 1 iteration:" in said() and "Fair Selection with Region: Inside Faces" in said(), said()
     new = np.array([v.index for v in bmesh.from_edit_mesh(obj.data).verts if v.select and not v.is_boundary])
     assert bpy.ops.mesh.fairmesh_fair(region="FACES") == {"FINISHED"}
     assert ":" not in said() and common.radial_error(obj, new) < 0.01, said()
