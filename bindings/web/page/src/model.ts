@@ -52,6 +52,8 @@ export class Model {
     #carried: Edit[] = [];
     /** What is no longer live, but may be again. */
     #paused: Live | null = null;
+    /** The triangles that the last step has made. */
+    #fresh: Uint8Array | null = null;
     /** Until the first shape can be dragged. */
     #waking: Promise<unknown> = Promise.resolve();
     /** What the last step has come to, one by one. */
@@ -82,19 +84,27 @@ export class Model {
         return (this.live?.edits.length ?? 0) > 0 || this.#snapshots.length > 0;
     }
 
-    #show(mesh: Triangles, before: Triangles | null): void {
+    #show(mesh: Triangles, before: Triangles | null, fresh: Uint8Array | null = null): void {
         this.surface?.free();
         this.before?.free();
         this.surface = new Surface(mesh);
         this.before = before && new Surface(before);
         this.parts = [];
+        this.#fresh = fresh;
         this.mark();
     }
 
     /** Colours the region, after a change of it. */
     mark(): void {
-        this.surface.paint("chosen", verticesOf(this.region, this.mesh));
+        this.colour(this.region);
         this.changed();
+    }
+
+    /** Colours a region, which may not be chosen yet, and what was filled last. */
+    colour(region: Uint8Array): void {
+        const marks = Int8Array.from(verticesOf(region, this.mesh));
+        if (this.#fresh !== null) verticesOf(this.#fresh, this.mesh).forEach((is, v) => is && !marks[v] && (marks[v] = -1));
+        this.surface.paint("chosen", marks);
     }
 
     #begin(mesh: Triangles, region: Uint8Array, normals: Normals | null, shape: ShapeName | null): void {
@@ -298,7 +308,8 @@ export class Model {
         this.steps.push(step);
         // Vertices of a mesh that was refilled have other numbers.
         if (step.kind === "refill" || step.kind === "remesh") [this.#held, this.normals, this.#carried] = [null, null, []];
-        this.#show(made, before);
+        const count = this.region.length;
+        this.#show(made, before, new Uint8Array(count).fill(1, count - made.newTriangleCount));
     }
 
     /** Holes and boundaries, for the lists. */

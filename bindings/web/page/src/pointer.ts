@@ -99,10 +99,7 @@ export class Pointer {
 
     /** Colours a region that is not chosen yet. */
     #show(mask: Uint8Array): void {
-        const { surface } = this.#model;
-        const vertices = new Uint8Array(surface.positions.length / 3);
-        for (let k = 0; k < surface.triangles.length; k++) if (mask[Math.floor(k / 3)]) vertices[surface.triangles[k]!] = 1;
-        surface.paint("chosen", vertices);
+        this.#model.colour(mask);
         this.#viewer.draw();
     }
 

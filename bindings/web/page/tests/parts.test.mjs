@@ -47,3 +47,31 @@ test("filled patches are no region: what is painted next is faired by itself, an
     assert.ok((await page.evaluate("fairmesh.arrows()")).length >= 8, "its boundary can be dragged");
     await page.close();
 });
+
+test("what was filled last has a colour of its own, until it is chosen", async () => {
+    const { page } = await opened(browser);
+    await upload(page, file("sphere.stl", openSphere()));
+    /** Pixels of the picture that are redder than blue, as patches are. */
+    const warm = async () => {
+        await new Promise((done) => setTimeout(done, 800));
+        return page.evaluate(() => {
+            const canvas = document.querySelector("#canvas");
+            const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
+            context.drawImage(canvas, 0, 0);
+            const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+            let count = 0;
+            for (let k = 0; k < data.length; k += 4) if (data[k] - data[k + 2] > 45) count++;
+            return count;
+        });
+    };
+    await press(page, "fill");
+    const filled = await warm();
+    assert.ok(filled > 1000, String(filled));
+    const left = [];
+    for (const number of [0, 1]) {
+        await page.evaluate((number) => document.querySelectorAll("#parts button")[number].click(), number);
+        left.push(await warm());
+    }
+    assert.ok(Math.min(...left) < 0.2 * filled, `${left} of ${filled}`);
+    await page.close();
+});
