@@ -20,7 +20,7 @@ export function brushed(surface: Surface, { point, triangle }: Hit, radius: numb
 
 /** The triangles whose centres are seen within a polygon of places of the window. */
 export function lassoed(surface: Surface, viewer: Viewer, polygon: readonly Vector2[]): number[] {
-    const eye = viewer.camera.position;
+    const eye = viewer.eye.place;
     const found: number[] = [];
     const slack = 1e-3 * surface.diagonal;
     const { centres } = surface;
@@ -50,7 +50,7 @@ function isWithin({ x, y }: Vector2, polygon: readonly Vector2[]): boolean {
 export function dragged(viewer: Viewer, point: Vector3, from: Vector2, to: Vector2): Vector3 {
     const onPlane = (at: Vector2) => {
         const { ray } = viewer.ray(at.x, at.y);
-        const ahead = viewer.camera.getWorldDirection(new Vector3());
+        const { ahead } = viewer.eye;
         const distance = point.clone().sub(ray.origin).dot(ahead) / ray.direction.dot(ahead);
         return ray.at(distance, new Vector3());
     };

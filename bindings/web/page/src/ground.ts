@@ -1,6 +1,6 @@
 /** The ground below a surface: a soft shadow, darkest where the surface is near, as daylight makes it. */
 
-import { type BufferGeometry, HalfFloatType, Mesh, MeshBasicMaterial, NoBlending, OrthographicCamera, PlaneGeometry, Scene, ShaderMaterial, type Texture, Vector3, type WebGLRenderer, WebGLRenderTarget } from "three";
+import { type BufferGeometry, HalfFloatType, Mesh, MeshBasicMaterial, NoBlending, type Object3D, OrthographicCamera, PlaneGeometry, Scene, ShaderMaterial, type Texture, Vector3, type WebGLRenderer, WebGLRenderTarget } from "three";
 import { HorizontalBlurShader } from "three/examples/jsm/shaders/HorizontalBlurShader.js";
 import { VerticalBlurShader } from "three/examples/jsm/shaders/VerticalBlurShader.js";
 
@@ -35,8 +35,10 @@ export class Ground {
     }
 
     /** The surface has another shape. */
-    under(geometry: BufferGeometry): void {
+    under(geometry: BufferGeometry, { rotation }: Object3D): void {
         this.#caster.geometry = geometry;
+        this.#caster.rotation.copy(rotation);
+        this.#caster.updateMatrixWorld();
         this.#isOld = true;
     }
 
@@ -45,8 +47,9 @@ export class Ground {
         const { boundingSphere, boundingBox } = this.#caster.geometry;
         if (!this.#isOld || boundingSphere === null || boundingBox === null) return;
         this.#isOld = false;
-        const { center, radius } = boundingSphere;
-        const floor = new Vector3(center.x, boundingBox.min.y - 0.04 * radius, center.z);
+        const { matrixWorld } = this.#caster;
+        const { center, radius } = boundingSphere.clone().applyMatrix4(matrixWorld);
+        const floor = new Vector3(center.x, boundingBox.clone().applyMatrix4(matrixWorld).min.y - 0.04 * radius, center.z);
         this.plane.position.copy(floor);
         this.plane.scale.setScalar(WIDTH * radius);
         Object.assign(this.#eye, { left: -WIDTH * radius / 2, right: WIDTH * radius / 2, top: WIDTH * radius / 2, bottom: -WIDTH * radius / 2, far: HEIGHT * radius });

@@ -116,7 +116,7 @@ export class Handles {
         for (const arrow of this.#arrows) {
             const tip = this.#viewer.project(arrow.tip);
             const hit = surface.hit(this.#viewer.ray(tip.x, tip.y).ray);
-            const eye = this.#viewer.camera.position;
+            const eye = this.#viewer.eye.place;
             if (hit !== null && hit.point.distanceTo(eye) < arrow.tip.distanceTo(eye) - 0.1 * size) continue;
             const outward = this.#viewer.project(arrow.foot.clone().addScaledVector(arrow.grip.inward, -size));
             // Against the ground it is seen twice as well as in front of the surface.

@@ -94,6 +94,7 @@ class Page {
         click("erase-fill", () => this.#needing(() => work("Region", (watched) => this.#model.refill(watched))));
         click("remesh", () => this.#needing(() => work("Region", (watched) => this.#model.remesh(watched))));
         click("bridge", () => this.#join());
+        click("up", () => this.#turnUp(this.#viewer.up === "y" ? "z" : "y"));
         click("fit", () => this.#viewer.fit(this.#model.surface));
         onChoice("shading", () => void this.#shade());
         input("wires").addEventListener("change", () => void this.#shade());
@@ -166,11 +167,19 @@ class Page {
         }
     }
 
-    #begun(name: string): void {
+    /** The button says what it would do. */
+    #turnUp(axis: "y" | "z"): void {
+        this.#viewer.up = axis;
+        element("up").textContent = axis === "y" ? "z up" : "y up";
+        this.#viewer.show(this.#model.surface, this.#model.before);
+        this.#viewer.fit(this.#model.surface);
+    }
+
+    #begun(name: string, up: "y" | "z" = "y"): void {
         select("shape").value = name;
         input("swipe").value = "0";
         this.#swipe();
-        this.#viewer.fit(this.#model.surface);
+        this.#turnUp(up);
     }
 
     async #open(file: File | undefined): Promise<void> {
@@ -187,7 +196,8 @@ class Page {
             const boundaries = loops === 0 ? "closed" : `${loops} ${loops === 1 ? "boundary" : "boundaries"}`;
             return `${(mesh.triangles.length / 3).toLocaleString("en")} triangles, ${boundaries}. Paint a region, then fair it`;
         }, async () => costOfFile(file.name.toLowerCase(), file.size, await file.slice(0, 4096).text()));
-        if (done) this.#begun("file");
+        // Machines that print have z upwards.
+        if (done) this.#begun("file", file.name.toLowerCase().endsWith(".stl") ? "z" : "y");
         else select("shape").value = this.#model.shape ?? "file";
     }
 

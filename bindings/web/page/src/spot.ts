@@ -95,7 +95,7 @@ export class Spot {
         if (this.#point === null) return;
         const { left, top } = this.#viewer.canvas.getBoundingClientRect();
         const { x, y } = this.#viewer.project(this.#point);
-        const side = new Vector3().setFromMatrixColumn(this.#viewer.camera.matrixWorld, 0).multiplyScalar(this.#radius).add(this.#point);
+        const side = this.#viewer.eye.right.multiplyScalar(this.#radius).add(this.#point);
         const size = 2 * this.#viewer.project(side).distanceTo(new Vector2(x, y));
         Object.assign(element("mark").style, { translate: `${x - left}px ${y - top}px`, width: `${size}px`, height: `${size}px` });
     }

@@ -31,6 +31,8 @@ export class Viewer {
     readonly #rays = new Raycaster();
     /** What lies over the picture, and is put in its place when that is new. */
     readonly overlays: (() => void)[] = [];
+    /** Surfaces and handles, in the file's coordinates; it is turned where z points up there. */
+    readonly #root = new Group();
     #isAsked = false;
     #swipe = 0;
     #hasBefore = false;
@@ -48,7 +50,8 @@ export class Viewer {
         this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
         // Bright colours stay what they are.
         this.#renderer.toneMapping = NeutralToneMapping;
-        this.#scene.add(...lights(), this.#ground.plane, this.#before, this.#after, this.#wires, this.handles);
+        this.#root.add(this.#before, this.#after, this.#wires, this.handles);
+        this.#scene.add(...lights(), this.#ground.plane, this.#root);
         this.#before.visible = false;
         this.#wires.visible = false;
         this.controls = new OrbitControls(this.camera, canvas);
@@ -106,7 +109,7 @@ export class Viewer {
     show(after: Surface, before: Surface | null): void {
         this.#after.geometry = after.geometry;
         this.#wires.geometry = after.geometry;
-        this.#ground.under(after.geometry);
+        this.#ground.under(after.geometry, this.#root);
         this.#before.geometry = before?.geometry ?? new BufferGeometry();
         this.#hasBefore = before !== null;
         this.swipe(this.#swipe);
@@ -147,7 +150,7 @@ export class Viewer {
     /** Looks at all of the surface, from the same direction. */
     fit(surface: Surface): void {
         const direction = new Vector3(0.55, 0.45, 1);
-        const { center, radius } = surface.geometry.boundingSphere!;
+        const { center, radius } = surface.geometry.boundingSphere!.clone().applyMatrix4(this.#root.matrixWorld);
         const narrow = Math.min(1, this.camera.aspect);
         const distance = (1.18 * radius) / (Math.sin((Math.PI * this.camera.fov) / 360) * narrow);
         this.look([...center.clone().addScaledVector(direction.normalize(), distance).toArray(), ...center.toArray()] as View, radius);
@@ -178,18 +181,38 @@ export class Viewer {
         this.controls.update();
     }
 
-    /** A ray through a place of the window. */
+    /** A ray through a place of the window, in the file's coordinates. */
     ray(x: number, y: number): Raycaster {
         const { left, top, width, height } = this.canvas.getBoundingClientRect();
         this.camera.updateMatrixWorld();
         this.#rays.setFromCamera(new Vector2((2 * (x - left)) / width - 1, 1 - (2 * (y - top)) / height), this.camera);
+        this.#rays.ray.applyMatrix4(this.#root.matrixWorld.clone().invert());
         return this.#rays;
+    }
+
+    /** Which axis of the file points up in the picture. */
+    get up(): "y" | "z" {
+        return this.#root.rotation.x === 0 ? "y" : "z";
+    }
+
+    set up(axis: "y" | "z") {
+        this.#root.rotation.x = axis === "y" ? 0 : -Math.PI / 2;
+        this.#root.updateMatrixWorld();
+    }
+
+    /** Where the eye is, and what is ahead and to the right of it, in the file's coordinates. */
+    get eye(): { place: Vector3; ahead: Vector3; right: Vector3 } {
+        this.camera.updateMatrixWorld();
+        const [place, ahead, right] = [this.camera.position.clone(), this.camera.getWorldDirection(new Vector3()), new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 0)];
+        const back = this.#root.quaternion.clone().invert();
+        for (const each of [place, ahead, right]) each.applyQuaternion(back);
+        return { place, ahead, right };
     }
 
     /** Where a point is in the window. */
     project(point: Vector3): Vector2 {
         const { left, top, width, height } = this.canvas.getBoundingClientRect();
-        const seen = point.clone().project(this.camera);
+        const seen = point.clone().applyQuaternion(this.#root.quaternion).project(this.camera);
         return new Vector2(left + ((seen.x + 1) / 2) * width, top + ((1 - seen.y) / 2) * height);
     }
 }
