@@ -35,6 +35,7 @@ pub struct BridgeArgs {
     /// as in 12,13,14; with --width, one is enough
     #[arg(
         long,
+        visible_alias = "start",
         value_name = "VERTICES",
         value_delimiter = ',',
         required = true,
@@ -42,7 +43,13 @@ pub struct BridgeArgs {
     )]
     from: Vec<u32>,
     /// Where it ends, on the same boundary or another one
-    #[arg(long, value_name = "VERTICES", value_delimiter = ',', required = true)]
+    #[arg(
+        long,
+        visible_alias = "end",
+        value_name = "VERTICES",
+        value_delimiter = ',',
+        required = true
+    )]
     to: Vec<u32>,
     /// Width of the bridge: both ends are lengthened or shortened along their
     /// boundaries to about this length [default: as given]

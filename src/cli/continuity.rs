@@ -33,6 +33,7 @@ pub struct ContinuityArgs {
     /// --continuity; may be repeated
     #[arg(
         long,
+        visible_alias = "loop-continuity",
         value_name = "VERTEX=HOW-FAR",
         value_parser = at_vertex,
         help_heading = "Surface",

@@ -52,6 +52,7 @@ pub struct FairArgs {
     /// 'vertex nx ny nz' per line (others are fitted)
     #[arg(
         long,
+        visible_alias = "boundary-normals",
         value_name = "WHICH",
         default_value = "fitted",
         help_heading = "Surface",

@@ -92,7 +92,7 @@ pub struct FillArgs {
     /// Connect these two boundary vertices by an edge of the first triangulation, for example
     /// across a long tear, or between two joined loops. May be repeated, with each vertex
     /// once; the patch has no crease there
-    #[arg(long = "guide", value_name = "A,B", value_parser = join::parse_pair, verbatim_doc_comment)]
+    #[arg(long = "guide", visible_alias = "guides", value_name = "A,B", value_parser = join::parse_pair, verbatim_doc_comment)]
     guides: Vec<[u32; 2]>,
     #[command(flatten)]
     rim: RimArgs,

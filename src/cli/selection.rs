@@ -33,7 +33,7 @@ struct ListArgs {
     free: Option<PathBuf>,
     /// Faces to fair: a text file, one number per line, from 0;
     /// a vertex moves if all faces around it are listed
-    #[arg(long, value_name = "FILE", verbatim_doc_comment)]
+    #[arg(long, visible_alias = "free-faces", value_name = "FILE", verbatim_doc_comment)]
     faces: Option<PathBuf>,
     /// PLY property that is nonzero where selected:
     /// NAME, vertex:NAME or face:NAME

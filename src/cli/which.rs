@@ -24,7 +24,12 @@ enum OnFailureKind {
 pub struct WhichArgs {
     /// Only this loop, by its number in 'fairmesh holes'; may be repeated.
     /// The only way to fill an outer boundary
-    #[arg(long = "loop", value_name = "I", verbatim_doc_comment)]
+    #[arg(
+        long = "loop",
+        visible_alias = "loops",
+        value_name = "I",
+        verbatim_doc_comment
+    )]
     pub loops: Vec<usize>,
     /// Connect these loops by one patch, as in 0,1,2: an island and its hole, the ends
     /// of tubes, the sides of a gap; may be repeated. Other loops stay open unless
@@ -50,7 +55,13 @@ pub struct WhichArgs {
     except_longest: Option<usize>,
     /// Only holes in this component of the mesh, by its number in 'fairmesh holes';
     /// may be repeated
-    #[arg(long, value_name = "I", group = "which", verbatim_doc_comment)]
+    #[arg(
+        long,
+        visible_alias = "of-components",
+        value_name = "I",
+        group = "which",
+        verbatim_doc_comment
+    )]
     component: Vec<usize>,
     /// Only holes inside a ball, X,Y,Z,RADIUS, or a box, X,Y,Z,X,Y,Z
     /// (smallest, then largest coordinates)

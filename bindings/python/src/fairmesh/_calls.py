@@ -14,8 +14,13 @@ from ._keywords import DEFAULTS, MeshKeywords
 
 _KEYWORD = inspect.Parameter.KEYWORD_ONLY
 
-#: What other packages call it.
+#: What other packages, and the flags of the command line, call it.
 _SYNONYMS = {
+    "continuity_at": "loop_continuity",
+    "component": "of_components",
+    "no_fair": "fair",
+    "from_": "start",
+    "to": "end",
     "mask": "free",
     "selection": "free",
     "vertex_mask": "free",
