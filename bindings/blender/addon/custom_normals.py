@@ -52,10 +52,16 @@ def put_back(snapshots):
     chosen = [each for each in snapshots if each.normals is not None]
     if not chosen:
         return
+    edited, selected = set(bpy.context.objects_in_mode), list(bpy.context.selected_objects)
     bpy.ops.object.mode_set(mode="OBJECT")
     for each in chosen:
         _put_back(each, each.object.data)
+    # All selected objects go to Edit mode.
+    for obj in bpy.context.view_layer.objects:
+        obj.select_set(obj in edited)
     bpy.ops.object.mode_set(mode="EDIT")
+    for obj in bpy.context.view_layer.objects:
+        obj.select_set(obj in selected)
 
 
 def _put_back(before, mesh):

@@ -31,7 +31,11 @@ def instead(holes, filled, density, fairing, monitor):
     count, around = len(holes.mesh.vertices), numbers.shape[1]
     triangles = np.concatenate([holes.triangles, _triangles(numbers)]).astype(np.int32)
     free = np.arange(len(vertices)) >= count
-    made = fairmesh.fair(vertices, triangles, free=free, cancel=monitor, **fairing)
+    try:
+        made = fairmesh.fair(vertices, triangles, free=free, cancel=monitor, **fairing)
+    except fairmesh.FairmeshError:
+        # Where loops touch themselves rows are no sound mesh.
+        return filled
     quads = _quads(numbers)
     is_fair = made.report.outcome.is_success
     if not is_fair and not (_is_nearest(report.report) and _is_nearest(made.report)):
@@ -130,8 +134,9 @@ def _opposite(old, first, second):
     here = old[first] - old[first].mean(axis=0)
     there = (old[second] - old[second].mean(axis=0)) @ _turn(*ways)
     back = np.arange(len(second))[::-1]
-    choices = [np.roll(back, shift) for shift in range(len(second))]
-    best = min(choices, key=lambda order: float(((there[order] - here) ** 2).sum()))
+    # Where they lie nearest to each other their products are largest, of all shifts at once.
+    alike = np.fft.ifft(np.fft.fft(here, axis=0) * np.fft.fft(there[back], axis=0).conj(), axis=0).real.sum(axis=1)
+    best = np.roll(back, int(alike.argmax()))
     chord = np.linalg.norm(old[second[best]] - old[first], axis=1).mean()
     # Of an arc with these directions at its ends.
     half = 0.5 * np.arccos(np.clip(ways[0] @ ways[1], -1, 1))

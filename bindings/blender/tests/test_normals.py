@@ -114,6 +114,26 @@ def test_normals_around_new_faces_stay():
         assert max(off) < BAR, max(off)
 
 
+def test_the_same_objects_stay_in_edit_mode_and_undo_is_one_step():
+    obj = with_custom_normals()
+    dent(obj)
+    before, normals = common.coordinates(obj), seen(obj)
+    # Selected beside, but not edited.
+    beside = bpy.data.objects.new("beside", bpy.data.meshes.new("beside"))
+    bpy.context.collection.objects.link(beside)
+    beside.select_set(True)
+    name = obj.name
+    assert set(bpy.context.objects_in_mode) == {obj}
+    bpy.ops.ed.undo_push(message="before")
+    assert bpy.ops.mesh.fairmesh_fair("EXEC_DEFAULT", True) == {"FINISHED"}
+    assert set(bpy.context.objects_in_mode) == {obj}
+    assert set(bpy.context.selected_objects) == {obj, beside}
+    bpy.ops.ed.undo()
+    obj = bpy.data.objects[name]
+    assert obj.mode == "EDIT" and np.array_equal(common.coordinates(obj), before)
+    assert turned(normals, seen(obj))[1] < BAR
+
+
 def test_a_mesh_without_custom_normals_gets_none():
     obj = common.uv_sphere(32, 16)
     dent(obj)
