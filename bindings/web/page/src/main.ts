@@ -14,7 +14,7 @@ import { Spot } from "./spot.js";
 import { Story } from "./story.js";
 import { Viewer } from "./viewer.js";
 import { unable } from "./unable.js";
-import { REMEDIES } from "./words.js";
+import { REMEDIES, TEXTS } from "./words.js";
 import { isBusy, work } from "./work.js";
 
 /** For tests, and for whoever wants to measure: what is seen, in numbers. */
@@ -31,6 +31,8 @@ interface Hook {
     edits(): unknown[];
     /** What the page says that can be done, by the library's names. */
     remedies: Record<string, string>;
+    /** What it says in place of the library's sentences. */
+    texts: Record<string, string>;
     view(): number[];
 }
 
@@ -71,6 +73,7 @@ class Page {
             arrows: () => this.#dragging.handles.places(),
             edits: () => model.live?.edits ?? [],
             remedies: REMEDIES,
+            texts: TEXTS,
             view: () => this.#viewer.view,
         };
     }

@@ -61,9 +61,15 @@ export const REMEDIES: Record<string, string> = {
     internal: "save what you have, and load the page anew",
 };
 
-/** In place of the library's own sentences where these speak of its functions. */
+/** In place of the library's own sentences where these speak of its functions and reports. */
 export const TEXTS: Record<string, string> = {
     cancelled: "it was stopped; the best surface so far is shown",
+    faired: "filled with a fair surface",
+    least_bending: "filled with the surface that bends least",
+    flat: "filled, but not faired",
+    left_open: "left open",
+    unsound: "no sound surface was found for it",
+    boundary_crease: "the surface has a crease along the edge of the region",
     iteration_limit: "it was not done after the most steps; the best surface so far is shown",
     not_converged: "no sound surface was found; the one that bends least is shown",
     target_not_reachable: "no such surface was found; the one that bends least is shown",

@@ -31,6 +31,10 @@ test("each answer that has a remedy has one here, and each button that is named 
         assert.doesNotMatch(text, /callback|option|argument|function|selection|prescribe|free vert|handle\b|\w_\w|inner fairness/, name);
         for (const [, button] of text.matchAll(/“([^”]+)”/g)) assert.ok(labels.includes(button), `${name}: there is no ${button}`);
     }
+    const texts = await page.evaluate("fairmesh.texts");
+    for (const kind of ["outcome", "looseReason", "fillOutcome", "fillReason"]) {
+        for (const name of Object.keys(enums[kind])) assert.doesNotMatch(texts[name] ?? library.describe(kind, name).text, /callback|report|returned|argument|option/, `${kind} ${name}`);
+    }
     await page.close();
 });
 
