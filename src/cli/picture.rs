@@ -82,8 +82,8 @@ pub fn tiles(group: &Group<'_>) -> Vec<Pixels> {
     let camera = Camera::around(group.views, options);
     let frame = frame(&camera, group);
     let paint = |view: &View<'_>| {
-        let canvas = Canvas::paint(view, &camera, options);
-        let mut tile = canvas.shrunk(options.samples);
+        let canvas = Canvas::of(view, &camera, options);
+        let mut tile = canvas.painted(view, &camera);
         if options.axes {
             axes::draw(&mut tile, &camera, camera.bounds, options.samples);
         }

@@ -40,7 +40,7 @@ pub fn turning(
     let painted = numbers.chunks(AT_ONCE).flat_map(|some| -> Vec<Pixels> {
         let paint = |&frame: &usize| {
             let lists = views.iter().zip(&cameras).map(|(views, cameras)| {
-                let tile = |view| Canvas::paint(view, &cameras[frame], options).shrunk(options.samples);
+                let tile = |view| Canvas::of(view, &cameras[frame], options).painted(view, &cameras[frame]);
                 views.iter().map(tile).collect()
             });
             sheet::arrange(&sheet::in_turns(lists.collect()), layout)

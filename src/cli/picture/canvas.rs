@@ -15,32 +15,34 @@ pub const BACKDROP: [f32; 3] = [0.90, 0.91, 0.93];
 /// What is nearer to the eye by more than this part of the distance hides a point.
 const NEAR: f64 = 0.01;
 
-/// A tile with samples: colour (linear light) and depth.
+/// What the samples of a tile show.
 pub struct Canvas {
     size: [usize; 2],
-    colour: Vec<[f32; 3]>,
-    /// One over the distance of what is seen; 0: nothing.
-    depth: Vec<f64>,
+    /// Samples per pixel along each axis.
+    samples: usize,
+    /// One over the distance, 0 where there is nothing, and the number of the triangle, which is `u32::MAX` there.
+    pub nearest: Vec<(f64, u32)>,
+    /// The vertices.
+    projected: Vec<Projected>,
 }
 
 impl Canvas {
-    pub fn paint(view: &View<'_>, camera: &Camera, options: &PictureOptions) -> Self {
-        let mut canvas = Self::empty(options.tile.map(|pixels| pixels * options.samples));
-        let painter = Painter::new(view, camera);
+    pub fn of(view: &View<'_>, camera: &Camera, options: &PictureOptions) -> Self {
+        let size = options.tile.map(|pixels| pixels * options.samples);
+        let mut nearest = vec![(0.0, u32::MAX); size[0] * size[1]];
         let projected: Vec<Projected> = view.positions.iter().map(|&p| camera.project(p)).collect();
-        for t in 0..view.triangles.len() {
-            canvas.triangle(t, &projected, &painter);
+        for (t, corners) in (0..).zip(view.triangles) {
+            samples(corners.map(|v| projected[v as usize]), size, |sample, w| {
+                if w > nearest[sample].0 {
+                    nearest[sample] = (w, t);
+                }
+            });
         }
-        canvas
-    }
-
-    /// Nothing but the backdrop.
-    fn empty(size: [usize; 2]) -> Self {
-        let samples = size[0] * size[1];
         Self {
             size,
-            colour: vec![BACKDROP; samples],
-            depth: vec![0.0; samples],
+            samples: options.samples,
+            nearest,
+            projected,
         }
     }
 
@@ -50,52 +52,60 @@ impl Canvas {
             .into_iter()
             .zip(self.size)
             .all(|(at, size)| (0.0..size as f64).contains(&at));
-        is_inside && self.depth[point.y as usize * self.size[0] + point.x as usize] <= point.w * (1.0 + NEAR)
-    }
-
-    /// What each sample shows: one over its distance, 0 where there is nothing, and the number of the triangle, which is `u32::MAX` there.
-    pub fn nearest(view: &View<'_>, camera: &Camera, options: &PictureOptions) -> Vec<(f64, u32)> {
-        let size = options.tile.map(|pixels| pixels * options.samples);
-        let mut nearest = vec![(0.0, u32::MAX); size[0] * size[1]];
-        let projected: Vec<Projected> = view.positions.iter().map(|&p| camera.project(p)).collect();
-        for (t, corners) in (0..).zip(view.triangles) {
-            samples(corners.map(|v| projected[v as usize]), size, |sample, w, _| {
-                if w > nearest[sample].0 {
-                    nearest[sample] = (w, t);
-                }
-            });
-        }
-        nearest
-    }
-
-    /// Fills the samples that nothing nearer covers.
-    fn triangle(&mut self, t: usize, projected: &[Projected], painter: &Painter<'_>) {
-        let corners = painter.view.triangles[t].map(|v| projected[v as usize]);
-        samples(corners, self.size, |sample, w, weights| {
-            if w > self.depth[sample] {
-                self.depth[sample] = w;
-                self.colour[sample] = painter.colour(t, weights);
-            }
-        });
+        is_inside
+            && self.nearest[point.y as usize * self.size[0] + point.x as usize].0 <= point.w * (1.0 + NEAR)
     }
 
     /// The tile's pixels: means of the samples' light, as sRGB.
-    pub fn shrunk(&self, samples: usize) -> Pixels {
-        let size = self.size.map(|size| (size / samples) as u32);
+    pub fn painted(&self, view: &View<'_>, camera: &Camera) -> Pixels {
+        let painter = Painter::new(view, camera);
+        let size = self.size.map(|size| (size / self.samples) as u32);
         Pixels::from_fn(size, |x, y| {
-            let mut sum = [0.0f32; 3];
-            let (x, y) = (x as usize * samples, y as usize * samples);
-            for (j, i) in (0..samples).flat_map(|j| (0..samples).map(move |i| (j, i))) {
-                let colour = self.colour[(y + j) * self.size[0] + x + i];
-                (0..3).for_each(|channel| sum[channel] += colour[channel]);
-            }
-            sum.map(|light| srgb(light / (samples * samples) as f32))
+            self.light(&painter, [x as usize, y as usize].map(|k| k * self.samples))
+                .map(srgb)
         })
+    }
+
+    /// The mean light of the samples from this one on. Where they show one triangle, and it changes little within a pixel, that of their middle.
+    fn light(&self, painter: &Painter<'_>, [x, y]: [usize; 2]) -> [f32; 3] {
+        let n = self.samples;
+        let of = |i: usize, j: usize| self.nearest[(y + j) * self.size[0] + x + i].1;
+        let pairs = || (0..n).flat_map(|j| (0..n).map(move |i| (i, j)));
+        let first = of(0, 0);
+        if painter.is_even() && pairs().all(|(i, j)| of(i, j) == first) {
+            return self.colour(painter, first, [x, y].map(|k| k as f64 + 0.5 * n as f64));
+        }
+        let mut sum = [0.0f32; 3];
+        for (i, j) in pairs() {
+            let colour = self.colour(painter, of(i, j), [x + i, y + j].map(|k| k as f64 + 0.5));
+            (0..3).for_each(|channel| sum[channel] += colour[channel]);
+        }
+        sum.map(|light| light / (n * n) as f32)
+    }
+
+    fn colour(&self, painter: &Painter<'_>, t: u32, at: [f64; 2]) -> [f32; 3] {
+        let Some(corners) = painter.view.triangles.get(t as usize) else {
+            return BACKDROP;
+        };
+        let corners = corners.map(|v| self.projected[v as usize]);
+        // One over the distance is linear in the picture; the coordinates on the triangle are not.
+        let shares = shares(&corners, at);
+        let weights = [0, 1, 2].map(|k| shares[k] * corners[k].w);
+        let w = weights[0] + weights[1] + weights[2];
+        painter.colour(t as usize, weights.map(|weight| weight / w))
     }
 }
 
-/// The samples whose centres are in a triangle: number, one over the distance, coordinates on the triangle.
-fn samples([a, b, c]: [Projected; 3], size: [usize; 2], mut see: impl FnMut(usize, f64, [f64; 3])) {
+/// The barycentric coordinates of a point of the picture in a triangle that has an area there.
+fn shares([a, b, c]: &[Projected; 3], [x, y]: [f64; 2]) -> [f64; 3] {
+    let area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    let beta = ((x - a.x) * (c.y - a.y) - (y - a.y) * (c.x - a.x)) / area;
+    let gamma = ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) / area;
+    [1.0 - beta - gamma, beta, gamma]
+}
+
+/// The samples whose centres are in a triangle: number, one over the distance.
+fn samples([a, b, c]: [Projected; 3], size: [usize; 2], mut see: impl FnMut(usize, f64)) {
     let area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     // What reaches behind the eye is left out.
     if !area.is_finite() || area == 0.0 || [a, b, c].iter().any(|p| p.w <= 0.0) {
@@ -110,17 +120,10 @@ fn samples([a, b, c]: [Projected; 3], size: [usize; 2], mut see: impl FnMut(usiz
     for row in clip(a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y), size[1]) {
         let y = row as f64 + 0.5;
         for column in columns.clone() {
-            let x = column as f64 + 0.5;
-            let beta = ((x - a.x) * (c.y - a.y) - (y - a.y) * (c.x - a.x)) / area;
-            let gamma = ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) / area;
-            let alpha = 1.0 - beta - gamma;
-            if alpha < 0.0 || beta < 0.0 || gamma < 0.0 {
-                continue;
+            let [alpha, beta, gamma] = shares(&[a, b, c], [column as f64 + 0.5, y]);
+            if alpha >= 0.0 && beta >= 0.0 && gamma >= 0.0 {
+                see(row * size[0] + column, alpha * a.w + beta * b.w + gamma * c.w);
             }
-            // One over the distance is linear in the picture; the coordinates on the triangle are not.
-            let weights = [alpha * a.w, beta * b.w, gamma * c.w];
-            let w = weights[0] + weights[1] + weights[2];
-            see(row * size[0] + column, w, weights.map(|weight| weight / w));
         }
     }
 }

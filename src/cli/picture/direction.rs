@@ -99,7 +99,7 @@ pub(super) fn seen(view: &View<'_>, options: &PictureOptions, marked: &[bool]) -
         ..*view
     };
     let count = |view: &View<'_>, is_counted: &dyn Fn(usize) -> bool| {
-        let nearest = Canvas::nearest(view, &camera, options).into_iter();
+        let nearest = Canvas::of(view, &camera, options).nearest.into_iter();
         nearest
             .filter(|&(_, t)| t != u32::MAX && is_counted(t as usize))
             .count() as f64

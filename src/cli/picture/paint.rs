@@ -26,12 +26,20 @@ impl<'a> Painter<'a> {
     pub fn new(view: &'a View<'a>, camera: &Camera) -> Self {
         Self {
             view,
-            normals: all_seen(view.positions, view.triangles),
+            normals: match view.shading {
+                Shading::Flat | Shading::Marked(_) => Vec::new(),
+                _ => all_seen(view.positions, view.triangles),
+            },
             eye: camera.eye(),
             key: camera.direction([-0.55, 0.75, 0.8]),
             fill: camera.direction([0.9, -0.1, 0.45]),
             poles: camera.direction([0.35, 1.0, 0.15]),
         }
+    }
+
+    /// Whether the light of a triangle changes little within a pixel.
+    pub fn is_even(&self) -> bool {
+        !matches!(self.view.shading, Shading::ReflectionLines | Shading::Textured(_))
     }
 
     /// The light that comes from a point of a triangle, given by its barycentric coordinates.

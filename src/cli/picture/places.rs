@@ -23,7 +23,8 @@ pub struct Places {
 impl Places {
     pub fn of(view: &View<'_>, camera: &Camera, options: &PictureOptions) -> Self {
         let size = options.tile.map(|side| side as u32);
-        let depths: Vec<f64> = Canvas::nearest(view, camera, options)
+        let depths: Vec<f64> = Canvas::of(view, camera, options)
+            .nearest
             .into_iter()
             .map(|(w, _)| w)
             .collect();
