@@ -150,6 +150,9 @@ class MESH_OT_fairmesh_live(Background, RegionOptions, FairingOptions, bpy.types
     def modal(self, context, event):
         self._is_modal = True
         if self._run is None:
+            if event.type == "LEFTMOUSE" and event.value == "RELEASE":
+                # Before there was a surface to drag.
+                self.hold = False
             return super().modal(context, event)
         try:
             return self._guarded(self._run.take, event) or self._stop()

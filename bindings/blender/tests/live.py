@@ -7,6 +7,8 @@ Started by gui.sh under Xvfb, as gui.py is.
 import math
 import os
 import sys
+import time
+import unittest.mock
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -105,7 +107,16 @@ def angle():
 
 def steps():
     only = os.environ.get("FAIRMESH_ONLY", "")
-    every = (tilt_and_undo, escape, wheel_and_numbers, bulge_twist_move_mirror, too_far, tool, closed_by_the_addon)
+    every = (
+        tilt_and_undo,
+        escape,
+        wheel_and_numbers,
+        bulge_twist_move_mirror,
+        too_far,
+        tool,
+        released_early,
+        closed_by_the_addon,
+    )
     for each in every:
         if only in each.__name__:
             yield from each()
@@ -362,6 +373,33 @@ def on_an_arrow(obj, found):
     press("ESC")
     yield from wait_until(lambda: run_of() is None, 10)
     yield 0.5
+
+
+def released_early():
+    """A click with the tool that is over before the first surface is there drags nothing."""
+    obj = scene()
+    yield 0.3
+    region = part("live_region").LiveRegion
+    real = region.start
+
+    def slow(*arguments):
+        time.sleep(1.0)
+        return real(*arguments)
+
+    with unittest.mock.patch.object(region, "start", slow):
+        x, y = middle()
+        move(x, y)
+        yield 0.2
+        assert call(bpy.ops.mesh.fairmesh_live, "INVOKE_DEFAULT", hold=True) == {"RUNNING_MODAL"}
+        button("PRESS", x, y)
+        button("RELEASE", x, y)
+        yield from wait_until(settled, 30)
+    move(x + 60, y + 90)
+    yield 0.3
+    assert angle() == 0.0, angle()
+    press("ESC")
+    yield from wait_until(lambda: run_of() is None, 10)
+    assert obj.mode == "EDIT"
 
 
 def closed_by_the_addon():
