@@ -8,6 +8,8 @@ from . import advice, fairmesh, filling, menus, messages, selected, snapshot
 from .job import Background
 from .patch_options import CleanOptions, OuterOptions, RimOptions
 
+_NOTHING_LEFT = "nothing is left around the selected faces that a new surface could go on from"
+
 
 class MESH_OT_fairmesh_erase_and_fill(
     Background, filling.Filling, RimOptions, CleanOptions, OuterOptions, bpy.types.Operator
@@ -25,7 +27,10 @@ class MESH_OT_fairmesh_erase_and_fill(
 
     @classmethod
     def missing(cls, context):
-        return None if selected.faces(context) else f"No face is selected: {cls.asks}"
+        chosen = [(count, every) for count, every in selected.faces(context) if count]
+        if not chosen:
+            return f"No face is selected: {cls.asks}"
+        return None if any(count < every for count, every in chosen) else _NOTHING_LEFT.capitalize()
 
     def draw_options(self, layout):
         self.draw_outer(layout)
@@ -54,7 +59,7 @@ class MESH_OT_fairmesh_erase_and_fill(
         """Why nothing is tried; None: it is."""
         loops = [loop for _, loop in holes.loops]
         if not loops:
-            return "nothing is left around the selected faces that a new surface could go on from"
+            return _NOTHING_LEFT
         if not self.outer and any(loop.kind is fairmesh.LoopKind.OUTER_BOUNDARY for loop in loops):
             return "the selected faces lie at the outer boundary of the surface, which would be closed: " + advice.named(
                 "deselect those there, or switch on {outer}"

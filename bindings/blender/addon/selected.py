@@ -40,8 +40,9 @@ def vertices(context):
 
 
 def faces(context):
-    """How many faces are selected, of all objects in Edit mode."""
-    return sum(obj.data.total_face_sel for obj in context.objects_in_mode_unique_data)
+    """How many faces are selected, and how many there are, of each object in Edit mode."""
+    meshes = [obj.data for obj in context.objects_in_mode_unique_data]
+    return [(mesh.total_face_sel, len(bmesh.from_edit_mesh(mesh).faces)) for mesh in meshes]
 
 
 def facts(context):

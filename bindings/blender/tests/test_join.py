@@ -277,7 +277,7 @@ def test_what_cannot_be_erased_stays():
     before = coordinates(obj)
     runner.raises(erase, "outer boundary", "Outer Boundaries, Too", "The mesh is unchanged")
     bpy.ops.mesh.select_all(action="SELECT")
-    runner.raises(erase, "nothing is left around the selected faces")
+    runner.raises(erase, "Nothing is left around the selected faces")
     assert np.array_equal(coordinates(obj), before)
 
 

@@ -51,6 +51,9 @@ def test_what_cannot_run_is_grey_and_says_why():
     bpy.context.scene.fairmesh.region = "VERTICES"
     assert lit() == {"erase_and_fill", "fair", "live"}, lit()
     bpy.context.scene.fairmesh.reset()
+    bpy.ops.mesh.select_all(action="SELECT")
+    grey("erase_and_fill", "Nothing is left around")
+    bpy.ops.mesh.select_all(action="DESELECT")
     common.select_faces(obj, lambda face: face.calc_center_median().z > 0)
     assert lit() == {"erase_and_fill", "fair", "live"}, lit()
 
