@@ -7,7 +7,19 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty, BoolVectorProperty, CollectionProperty, EnumProperty, IntProperty
 
-from . import advice, custom_normals, fair_operator, job, live_run, menus, messages, region, snapshot, triangulation
+from . import (
+    advice,
+    custom_normals,
+    fair_operator,
+    job,
+    live_run,
+    menus,
+    messages,
+    region,
+    selected,
+    snapshot,
+    triangulation,
+)
 from .fairing_options import FairingOptions, RegionOptions
 from .job import Background
 from .live_edits import FAIRMESH_PG_live_edit
@@ -15,12 +27,23 @@ from .live_region import MOST_FREE, LiveRegion
 from .live_state import NAMES
 from .live_view import View
 
+#: Its name in the tool bar.
+TOOL = "fairmesh.live"
+
 _running = set()
 
 
 def is_running():
     """Whether one is being dragged in a window."""
     return bool(_running)
+
+
+def is_tool(context):
+    """Whether the tool is the one at hand."""
+    if context.workspace is None:
+        return False
+    tool = context.workspace.tools.from_space_view3d_mode("EDIT_MESH", create=False)
+    return tool is not None and tool.idname == TOOL
 
 
 class MESH_OT_fairmesh_live(Background, RegionOptions, FairingOptions, bpy.types.Operator):
@@ -66,6 +89,11 @@ class MESH_OT_fairmesh_live(Background, RegionOptions, FairingOptions, bpy.types
     )
 
     _run = None
+
+    @classmethod
+    def missing(cls, context):
+        # A click with the tool has to say what is missing: it has no button that could be grey.
+        return None if is_tool(context) and not selected.is_sidebar(context) else super().missing(context)
 
     def draw_options(self, layout):
         for each in self.edits:

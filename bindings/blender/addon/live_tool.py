@@ -25,8 +25,7 @@ class VIEW3D_GGT_fairmesh_live(bpy.types.GizmoGroup):
     def poll(cls, context):
         if context.mode != "EDIT_MESH" or live_operator.is_running():
             return False
-        tool = context.workspace.tools.from_space_view3d_mode("EDIT_MESH", create=False)
-        return tool is not None and tool.idname == FairLiveTool.bl_idname
+        return live_operator.is_tool(context)
 
     def setup(self, context):
         self._made = []
@@ -75,7 +74,7 @@ def _handles(context):
 class FairLiveTool(bpy.types.WorkSpaceTool):
     bl_space_type = "VIEW_3D"
     bl_context_mode = "EDIT_MESH"
-    bl_idname = "fairmesh.live"
+    bl_idname = live_operator.TOOL
     bl_label = "Fair Live"
     bl_description = (
         "Fairs what is selected, and drags at its boundary loops how the surface leaves them.\n"

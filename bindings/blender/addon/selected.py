@@ -45,9 +45,14 @@ def faces(context):
     return [(mesh.total_face_sel, len(bmesh.from_edit_mesh(mesh).faces)) for mesh in meshes]
 
 
+def is_sidebar(context):
+    """Whether a button of the sidebar asks."""
+    return getattr(context, SIDEBAR, None) is not None
+
+
 def facts(context):
     """The `Facts` for a button of the sidebar; None for anything else, and where it would take too long."""
-    if getattr(context, SIDEBAR, None) is None:
+    if not is_sidebar(context):
         return None
     meshes = [bmesh.from_edit_mesh(obj.data) for obj in context.objects_in_mode_unique_data]
     if sum(len(mesh.edges) for mesh in meshes) > _MOST_EDGES:

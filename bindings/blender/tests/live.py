@@ -351,6 +351,16 @@ def tool():
     yield from wait_until(lambda: run_of() is None, 10)
     yield 0.3
     assert np.abs(common.coordinates(obj) - before).max() > 0.01
+    call(bpy.ops.mesh.select_all, action="DESELECT")
+    yield 0.5
+    move(*middle())
+    yield 0.2
+    button("PRESS", *middle())
+    button("RELEASE", *middle())
+    yield 0.7
+    picture("live_tool_nothing")
+    ((_, text),) = part("found")._said
+    assert "No vertex can move: select faces" in text, text
     call(bpy.ops.wm.tool_set_by_id, name="builtin.select_box")
     yield 0.3
 
