@@ -1,0 +1,170 @@
+"""How near a result is to the truth, and how sound it is: judged by files alone."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from .cases import Case
+from .meshes import Mask, Mesh, Points, boundary_edges, half_edges
+from .shape import edge_angles, smallest_angles
+
+#: Points per triangle side at which distances are taken. With half of it means change by up to 2 %, with double by less than 1 %.
+SIDE = 4
+#: Triangles with an angle below this, in degrees, have no area to speak of: normals and crossings mean nothing there.
+FLAT = 0.01
+
+
+class Measures(NamedTuple):
+    """Lengths are in widths of the hole or region; angles in degrees."""
+
+    #: From the truth to the result and back, over the area: root mean square of both, mean, and the largest.
+    rms: float
+    mean: float
+    largest: float
+    #: Of the vertices that are new or have moved, from the exact surface; NaN where none is known, or none is there.
+    vertices: float
+    #: Angles between new and old triangles at the rim, root mean square, beyond those of the truth.
+    crease: float
+    smallest_angle: float
+    #: Pairs of triangles that are neighbours and face opposite ways, by more than 170 degrees, of which one is new.
+    folds: int
+    #: Edges of the boundary besides those that the truth has.
+    open_edges: int
+    #: Old vertices that are no longer where they were, to the last bit.
+    moved: int
+    #: Triangles of the result that are new.
+    new_triangles: int
+
+
+def new_triangles(case: Case, result: Mesh) -> Mask:
+    """The triangles of a result that its input does not have, and for a region those of its free vertices. Corners are known by their places."""
+    if case.task in ("fair", "bump"):
+        is_moved = np.zeros(len(result.vertices), bool)
+        is_moved[: len(case.mesh.vertices)] = (result.vertices[: len(case.mesh.vertices)] != case.truth.vertices).any(axis=1)
+        if len(result.vertices) == len(case.mesh.vertices):
+            return is_moved[result.faces].any(axis=1)
+    old = {_key(corners) for corners in case.mesh.corners()}
+    return np.array([_key(corners) not in old for corners in result.corners()], bool)
+
+
+def _key(corners: Points) -> tuple[tuple[float, ...], ...]:
+    """A triangle by the places of its corners, to single precision, whichever comes first."""
+    places = [tuple(map(float, p)) for p in corners.astype(np.float32) + np.float32(0)]
+    first = min(range(3), key=lambda k: places[k])
+    return tuple(places[first:] + places[:first])
+
+
+def samples(mesh: Mesh) -> tuple[Points, NDArray[np.float64]]:
+    """Points spread over triangles, and the area that each stands for."""
+    thirds = [(3 * i + k, 3 * j + k) for i in range(SIDE) for j in range(SIDE - i) for k in ((1, 2) if i + j + 1 < SIDE else (1,))]
+    shares = np.array(thirds) / (3 * SIDE)
+    a, b, c = np.moveaxis(mesh.corners(), 1, 0)
+    at = a[:, None] + shares[None, :, :1] * (b - a)[:, None] + shares[None, :, 1:] * (c - a)[:, None]
+    weights = np.repeat(mesh.areas() / len(shares), len(shares))
+    return at.reshape(-1, 3), weights
+
+
+def distances(points: Points, mesh: Mesh) -> NDArray[np.float64]:
+    """From each point to the nearest one of a mesh: exact, among the triangles that can hold it."""
+    corners = mesh.corners()
+    middles = corners.mean(axis=1)
+    reach = np.linalg.norm(corners - middles[:, None], axis=2).max(axis=1)
+    tree = cKDTree(middles)
+    near = min(12, len(middles))
+    far, found = tree.query(points, near)
+    far, found = far.reshape(len(points), near), found.reshape(len(points), near)
+    best = _to_triangles(points, corners, found).min(axis=1)
+    # Farther middles may have nearer triangles, where these are large.
+    open_ones = np.flatnonzero(far[:, -1] - reach.max() < best) if near < len(middles) else np.zeros(0, np.int64)
+    for k in open_ones:
+        candidates = np.array(tree.query_ball_point(points[k], best[k] + reach.max()))
+        if len(candidates):
+            candidates = candidates[np.linalg.norm(middles[candidates] - points[k], axis=1) - reach[candidates] < best[k]]
+        if len(candidates):
+            best[k] = min(best[k], _to_triangles(points[k : k + 1], corners, candidates[None]).min())
+    return best
+
+
+def _to_triangles(points: Points, corners: Points, which: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Distances (n, k) of points to triangles: to the plane where the foot is inside, else to the edges."""
+    p = points[:, None]
+    a, b, c = (corners[which, k] for k in range(3))
+    normal = np.cross(b - a, c - a)
+    squared = np.maximum((normal * normal).sum(axis=2), 1e-300)
+    best = np.full(which.shape, np.inf)
+    inside = np.ones(which.shape, bool)
+    for u, v in ((a, b), (b, c), (c, a)):
+        inside &= (np.cross(v - u, p - u) * normal).sum(axis=2) >= 0
+        along = np.clip(((p - u) * (v - u)).sum(axis=2) / np.maximum(((v - u) ** 2).sum(axis=2), 1e-300), 0, 1)
+        best = np.minimum(best, np.linalg.norm(p - u - along[..., None] * (v - u), axis=2))
+    plane = np.abs(((p - a) * normal).sum(axis=2)) / np.sqrt(squared)
+    return np.where(inside, np.minimum(best, plane), best)
+
+
+def crease(mesh: Mesh, new: Mask) -> float:
+    """The angles at edges between new triangles and old ones, root mean square."""
+    first, second, angles = edge_angles(mesh)
+    at_rim = new[first] != new[second]
+    return float(np.sqrt((angles[at_rim] ** 2).mean())) if at_rim.any() else float("nan")
+
+
+def measured(case: Case, result: Mesh) -> Measures:
+    """All of it. A result without new triangles is measured as far from the truth as that is wide."""
+    width = case.width()
+    new = new_triangles(case, result)
+    found, wanted = (mesh.only(some) if some.any() else None for mesh, some in ((result, new), (case.truth, case.wanted)))
+    assert wanted is not None, case.name
+    if found is None:
+        nothing = float("nan")
+        return Measures(1.0, 1.0, 1.0, nothing, nothing, nothing, 0, _open(case, result), _moved(case, result), 0)
+    there, there_weights = samples(wanted)
+    back, back_weights = samples(found)
+    ways = [(distances(there, found), there_weights), (distances(back, wanted), back_weights)]
+    mean = np.mean([np.average(far, weights=weights) for far, weights in ways])
+    square = np.mean([np.average(far**2, weights=weights) for far, weights in ways])
+    angles = smallest_angles(found)
+    first, second, turns = edge_angles(result)
+    return Measures(
+        rms=float(np.sqrt(square)) / width,
+        mean=float(mean) / width,
+        largest=float(max(far.max() for far, _ in ways)) / width,
+        vertices=_vertices(case, result, new) / width,
+        crease=crease(result, new) - crease(case.truth, case.wanted),
+        smallest_angle=float(angles.min()),
+        folds=int(((turns > 170) & (new[first] | new[second])).sum()),
+        open_edges=_open(case, result),
+        moved=_moved(case, result),
+        new_triangles=int(new.sum()),
+    )
+
+
+def _vertices(case: Case, result: Mesh, new: Mask) -> float:
+    """Root mean square of the distances of vertices that no old triangle has from the exact surface."""
+    inner = np.setdiff1d(np.unique(result.faces[new]), np.unique(result.faces[~new]))
+    if case.exact is None or len(inner) == 0:
+        return float("nan")
+    return float(np.sqrt((case.exact.distance(result.vertices[inner]) ** 2).mean()))
+
+
+def _open(case: Case, result: Mesh) -> int:
+    return max(0, len(boundary_edges(result.faces)) - len(boundary_edges(case.truth.faces)))
+
+
+def _moved(case: Case, result: Mesh) -> int:
+    """Vertices of the truth around what is wanted whose places no vertex of the result has."""
+    around = case.truth.faces[~case.wanted]
+    if case.task == "round" or len(around) == 0:
+        return 0
+    given = case.mesh.vertices[np.unique(case.mesh.faces)] if case.task in ("fill", "join") else case.truth.vertices[np.unique(around)]
+    there = {p.tobytes() for p in result.vertices + 0.0}
+    return sum(p.tobytes() not in there for p in given + 0.0)
+
+
+def is_manifold(mesh: Mesh) -> bool:
+    """Whether no directed edge is there twice."""
+    edges = half_edges(mesh.faces)
+    return len(np.unique(edges, axis=0)) == len(edges)

@@ -1,0 +1,86 @@
+"""Measures of the truth itself, and of errors that were planted."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from fairbench.cases import hole, place, seeded
+from fairbench.measures import distances, measured, new_triangles
+from fairbench.meshes import Mesh, boundary_edges, loops, read_ply, write_ply
+from fairbench.shape import edge_angles, smallest_angles
+from fairbench.surfaces import mesh_of, surfaces
+
+SPHERE = surfaces()[0]
+
+
+def sphere_case():
+    random = seeded("test", 1)
+    mesh = mesh_of(SPHERE, 0.12, "irregular", random)
+    return hole("test", "exact", mesh, place(mesh, 0.45, random), SPHERE)
+
+
+@pytest.mark.parametrize("surface", surfaces(), ids=[s.name for s in surfaces()])
+def test_meshes_of_surfaces_are_on_them_and_face_outwards(surface):
+    for kind in ("regular", "irregular"):
+        mesh = mesh_of(surface, 0.15, kind, seeded("mesh", 1))
+        assert surface.distance(mesh.vertices).max() < 2e-7
+        assert len(loops(mesh.faces)) == (0 if any(surface.poles) or surface.name == "torus" else 2)
+        assert smallest_angles(mesh).min() > 1
+        assert edge_angles(mesh)[2].max() < 60
+        first, middle = mesh.normals(), mesh.corners().mean(axis=1)
+        outward = np.c_[middle[:, :2], 0 * middle[:, 2]]
+        if surface.name != "torus":
+            assert ((first * outward).sum(axis=1) > 0).mean() > 0.97
+
+
+def test_the_truth_is_measured_as_no_error_at_all():
+    case = sphere_case()
+    truth = measured(case, case.truth)
+    assert truth.rms < 1e-12 and truth.largest < 1e-12 and truth.vertices < 1e-7
+    assert (truth.crease, truth.folds, truth.open_edges, truth.moved) == (0, 0, 0, 0)
+    assert truth.new_triangles == case.wanted.sum()
+
+
+def test_planted_errors_are_measured_as_what_they_are():
+    case = sphere_case()
+    new = case.wanted
+    inner = np.setdiff1d(np.unique(case.truth.faces[new]), np.unique(case.truth.faces[~new]))
+    vertices = case.truth.vertices.copy()
+    vertices[inner] *= 1.1
+    out = measured(case, Mesh(vertices, case.truth.faces))
+    assert out.vertices * case.width() == pytest.approx(0.1, rel=1e-6)
+    assert 0.05 < out.largest * case.width() < 0.101 and 0.03 < out.rms * case.width() < 0.1
+    assert out.crease > 5
+    unfilled = measured(case, case.mesh)
+    assert unfilled.rms == 1 and unfilled.new_triangles == 0
+    assert unfilled.open_edges == len(boundary_edges(case.mesh.faces))
+    vertices = case.truth.vertices.copy()
+    outside = np.setdiff1d(np.unique(case.truth.faces[~new]), np.unique(case.truth.faces[new]))
+    vertices[outside[:3]] *= 1 + 1e-15
+    vertices[outside[:3]] = np.nextafter(vertices[outside[:3]], 9)
+    assert measured(case, Mesh(vertices, case.truth.faces)).moved == 3
+    flipped = case.truth.faces.copy()
+    flipped[np.flatnonzero(new)[0]] = flipped[np.flatnonzero(new)[0], ::-1]
+    assert new_triangles(case, Mesh(case.truth.vertices, flipped)).sum() == new.sum()
+
+
+def test_distances_are_those_of_all_triangles():
+    random = seeded("distances", 1)
+    mesh = mesh_of(SPHERE, 0.3, "irregular", random)
+    mesh = Mesh(
+        np.vstack([mesh.vertices, [[9, 0, 0], [0, 9, 0], [0, 0, 9]]]), np.vstack([mesh.faces, [[len(mesh.vertices) + k for k in range(3)]]])
+    )
+    points = random.normal(0, 2, (200, 3))
+    corners = mesh.corners()
+    from fairbench.measures import _to_triangles
+
+    every = np.tile(np.arange(len(mesh.faces)), (len(points), 1))
+    assert np.allclose(distances(points, mesh), _to_triangles(points, corners, every).min(axis=1), atol=1e-14)
+
+
+def test_files_come_back(tmp_path):
+    mesh = sphere_case().mesh
+    write_ply(tmp_path / "mesh.ply", mesh)
+    again = read_ply(tmp_path / "mesh.ply")
+    assert np.array_equal(again.vertices, mesh.vertices) and np.array_equal(again.faces, mesh.faces)
