@@ -1,7 +1,7 @@
 /**
  * Makes the shapes of the page: node shapes.mjs PROGRAM HEAD.FIF FOLDER. Surfaces by the command line; the head from a file of the Python
  * package MNE. Each becomes NAME.bin.gz: four counts, then positions (double), normals given (vertex, then x, y, z as doubles), corners, and free vertices.
- * The first one is there faired, too, as NAME-faired.bin.gz with positions alone: the page shows it before its own solver is awake.
+ * The first one is there faired, too, as NAME-faired.bin.gz with positions alone (float): the page shows it before its own solver is awake.
  */
 
 import { execFileSync } from "node:child_process";
@@ -86,4 +86,4 @@ function packed({ positions, triangles, free, normals }) {
 mkdirSync(folder, { recursive: true });
 const shapes = { ...Object.fromEntries(Object.entries(GENERATED).map(([name, given]) => [name, generated(given)])), head: scanned(head) };
 for (const [name, shape] of Object.entries(shapes)) writeFileSync(join(folder, `${name}.bin.gz`), packed(shape));
-writeFileSync(join(folder, `${FIRST}-faired.bin.gz`), zipped([Float64Array.from(shapes[FIRST].faired)]));
+writeFileSync(join(folder, `${FIRST}-faired.bin.gz`), zipped([Float32Array.from(shapes[FIRST].faired)]));

@@ -43,7 +43,7 @@ export function startWorker(): Worker {
 
 /** The shape that the page begins with, and its positions when it is faired. */
 export const FIRST: ShapeName = "blend";
-export const faired = async (): Promise<Float64Array> => new Float64Array(await bytes(`${FIRST}-faired`));
+export const faired = async (): Promise<Float64Array> => Float64Array.from(new Float32Array(await bytes(`${FIRST}-faired`)));
 
 /** Unpacks a shape, in the order in which shapes.mjs has packed it. */
 export async function shape(name: ShapeName): Promise<Shape> {

@@ -1,6 +1,6 @@
 /** The ground below a surface: a soft shadow, darkest where the surface is near, as daylight makes it. */
 
-import { type BufferGeometry, HalfFloatType, Mesh, MeshBasicMaterial, NoBlending, type Object3D, OrthographicCamera, PlaneGeometry, Scene, ShaderMaterial, type Texture, Vector3, type WebGLRenderer, WebGLRenderTarget } from "three";
+import { BackSide, type BufferGeometry, DoubleSide, Mesh, MeshBasicMaterial, NoBlending, type Object3D, OrthographicCamera, PlaneGeometry, Scene, ShaderMaterial, type Texture, Vector3, type WebGLRenderer, WebGLRenderTarget } from "three";
 import { HorizontalBlurShader } from "three/examples/jsm/shaders/HorizontalBlurShader.js";
 import { VerticalBlurShader } from "three/examples/jsm/shaders/VerticalBlurShader.js";
 
@@ -16,9 +16,9 @@ const PLACED = "void main() { gl_Position = projectionMatrix * modelViewMatrix *
 
 export class Ground {
     readonly plane: Mesh;
-    readonly #pictures = [0, 1].map(() => new WebGLRenderTarget(SIZE, SIZE, { type: HalfFloatType })) as [WebGLRenderTarget, WebGLRenderTarget];
+    readonly #pictures = [0, 1].map(() => new WebGLRenderTarget(SIZE, SIZE)) as [WebGLRenderTarget, WebGLRenderTarget];
     readonly #eye = new OrthographicCamera(-0.5, 0.5, 0.5, -0.5, 0, 1);
-    readonly #caster = new Mesh(undefined, new ShaderMaterial({ vertexShader: PLACED, fragmentShader: NEARNESS, side: 2, blending: NoBlending }));
+    readonly #caster = new Mesh(undefined, new ShaderMaterial({ vertexShader: PLACED, fragmentShader: NEARNESS, side: DoubleSide, blending: NoBlending }));
     readonly #scene = new Scene().add(this.#caster);
     readonly #blurred = new Mesh(new PlaneGeometry(), undefined);
     readonly #blurs = [HorizontalBlurShader, VerticalBlurShader].map((shader) => new ShaderMaterial({ ...shader, uniforms: { tDiffuse: { value: null }, h: { value: 0 }, v: { value: 0 } }, blending: NoBlending, depthTest: false }));
@@ -26,12 +26,11 @@ export class Ground {
     #isOld = true;
 
     constructor() {
-        const material = new MeshBasicMaterial({ map: this.#pictures[0].texture, transparent: true, opacity: DARKEST, depthWrite: false, toneMapped: false });
+        const material = new MeshBasicMaterial({ map: this.#pictures[0].texture, transparent: true, opacity: DARKEST, depthWrite: false, toneMapped: false, side: BackSide });
         this.plane = new Mesh(new PlaneGeometry().rotateX(-Math.PI / 2), material);
         // Seen from below, as the picture is: left and right are kept, near and far are turned around.
         this.plane.geometry.scale(1, 1, -1);
         this.plane.renderOrder = -1;
-        material.side = 1;
     }
 
     /** The surface has another shape. */

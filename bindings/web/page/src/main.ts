@@ -94,7 +94,7 @@ class Page {
         click("clear", () => this.#choose(0));
         click("fair", () => this.#needing(() => work("Faired", (watched) => this.#model.fair(watched), () => this.#model.cost())));
         click("fill", () => work("Holes", (watched) => this.#model.fill(watched, null), () => this.#model.costToFill(null)));
-        click("erase-fill", () => this.#needing(() => work("Region", (watched) => this.#model.refill(watched))));
+        click("erase-fill", () => this.#needing(() => work("Region", (watched) => this.#model.refill(watched), () => this.#model.costToRefill())));
         click("remesh", () => this.#needing(() => work("Region", (watched) => this.#model.remesh(watched))));
         click("bridge", () => this.#join());
         click("up", () => this.#turnUp(this.#viewer.up === "y" ? "z" : "y"));

@@ -204,6 +204,15 @@ export class Model {
         return costOf(await this.#worker.memoryNeededToFill(this.mesh, choice).catch(() => 0));
     }
 
+    async costToRefill(): Promise<Cost> {
+        try {
+            const { triangles, loops } = await this.#worker.erase(this.mesh, this.region);
+            return costOf(await this.#worker.memoryNeededToFill({ ...this.mesh, triangles }, { loops }));
+        } catch {
+            return costOf(0);
+        }
+    }
+
     /** Fairs the region, and holds the solver up there. What the library has found out is told. */
     async fair(watched: Watched): Promise<string> {
         await this.#waking;

@@ -24,7 +24,7 @@ export function launched(name = "chrome", more = []) {
 /** Opens the page; whatever it throws, and whatever it asks of the network, is kept. */
 export async function opened(browser, { viewport = USUAL, hash = "", isStoryTold = false, features = [] } = {}) {
     const page = await browser.newPage();
-    await page.emulateMediaFeatures(features);
+    if (features.length > 0) await page.emulateMediaFeatures(features);
     const seen = { errors: [], requests: [] };
     page.on("pageerror", (why) => seen.errors.push(why.message));
     page.on("request", (request) => seen.requests.push(request.url()));

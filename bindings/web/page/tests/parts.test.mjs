@@ -48,6 +48,27 @@ test("filled patches are no region: what is painted next is faired by itself, an
     await page.close();
 });
 
+test("what is erased is filled, and is no region either", async () => {
+    const { page, seen } = await opened(browser);
+    await upload(page, file("sphere.stl", openSphere(24, 36)));
+    const before = (await page.evaluate("fairmesh.triangles().length")) / 3;
+    await radio(page, "tool", "paint");
+    await page.mouse.click(...(await middle(page)));
+    const painted = await chosen(page);
+    // Triangles of the region between vertices that stay, stay.
+    const stay = await page.evaluate(() => {
+        const [region, triangles] = [fairmesh.region(), fairmesh.triangles()];
+        const held = new Set(triangles.filter((_, k) => !region[Math.floor(k / 3)]));
+        return region.reduce((sum, is, t) => sum + (is && [0, 1, 2].every((c) => held.has(triangles[3 * t + c])) ? 1 : 0), 0);
+    });
+    const told = /^Region: erased, and filled by ([\d,]+) triangles\.$/.exec(await press(page, "erase-fill"));
+    assert.ok(told !== null && painted > 20);
+    assert.equal(await page.evaluate("fairmesh.triangles().length / 3"), before - painted + stay + Number(told[1].replace(",", "")));
+    assert.equal(await chosen(page), 0);
+    assert.deepEqual(seen.errors, []);
+    await page.close();
+});
+
 test("what was filled last has a colour of its own, until it is chosen", async () => {
     const { page } = await opened(browser);
     await upload(page, file("sphere.stl", openSphere()));
