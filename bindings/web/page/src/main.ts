@@ -263,7 +263,7 @@ class Page {
         this.#pointer.mark();
         this.#tell();
         this.#estimate();
-        if (this.#listed !== surface) this.#spot.forget();
+        if (this.#listed !== surface || this.#model.isFollowing) this.#spot.forget();
         if (this.#coloured !== surface) void this.#shade();
         if (this.#listed !== surface) void this.#list();
         this.#remember();

@@ -3,9 +3,9 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { after, before, test } from "node:test";
-import { launched, opened, said, saved, take } from "./browser.mjs";
+import { drag, launched, opened, said, saved, take } from "./browser.mjs";
 import { file, openSphere } from "./files.mjs";
-import { middle, radio, upload } from "./hands.mjs";
+import { middle, upload } from "./hands.mjs";
 
 let browser;
 before(async () => (browser = await launched()));
@@ -91,6 +91,7 @@ test("off the surface, over an arrow and while the view turns there is no place;
     await page.keyboard.press("ArrowLeft");
     await page.waitForFunction((before) => document.querySelector("#mark").style.translate !== before, {}, before[0]);
     assert.deepEqual(await shown(page), before.slice(1));
-    await radio(page, "tool", "paint");
+    await drag(page, 2, [30, -30], 5);
+    assert.equal(await hidden(), true, "the surface has moved away from it");
     await page.close();
 });
