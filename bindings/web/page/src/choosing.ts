@@ -9,8 +9,8 @@ export function brushed(surface: Surface, { point, triangle }: Hit, radius: numb
     const { centres, triangles } = surface;
     const near = new Map<number, number[]>();
     for (let t = 0; t < centres.length / 3; t++) {
-        const distance = Math.hypot(centres[3 * t]! - point.x, centres[3 * t + 1]! - point.y, centres[3 * t + 2]! - point.z);
-        if (distance < radius) for (const v of triangles.subarray(3 * t, 3 * t + 3)) near.set(v, [...(near.get(v) ?? []), t]);
+        const [x, y, z] = [centres[3 * t]! - point.x, centres[3 * t + 1]! - point.y, centres[3 * t + 2]! - point.z];
+        if (x * x + y * y + z * z < radius * radius) for (const v of triangles.subarray(3 * t, 3 * t + 3)) near.set(v, [...(near.get(v) ?? []), t]);
     }
     const found = new Set([triangle]);
     // A set that grows while it is gone through.
