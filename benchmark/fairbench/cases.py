@@ -124,7 +124,7 @@ def crumpled(name: str, family: str, mesh: Mesh, part: Mask, exact: Surface | No
     vertices = mesh.vertices.copy()
     vertices[free] += random.normal(0, 0.4 * edge, (len(free), 3))
     told: dict[str, object] = {"free": free.tolist()}
-    return Case(f"fair-{name}", family, "fair", Mesh(vertices, mesh.faces), told, mesh, part, exact)
+    return Case(f"fair-{name}", family, "fair", Mesh(vertices, mesh.faces), told, mesh, np.isin(mesh.faces, free).any(axis=1), exact)
 
 
 def bumped(name: str, family: str, mesh: Mesh, part: Mask, exact: Surface | None) -> Case:
@@ -139,7 +139,8 @@ def bumped(name: str, family: str, mesh: Mesh, part: Mask, exact: Surface | None
     height = np.where(far < radius, 0.35 * radius * np.cos(np.pi / 2 * np.minimum(far / radius, 1)) ** 2, 0)
     vertices = mesh.vertices + height[:, None] * normal
     told: dict[str, object] = {"point": vertices[far.argmin()].tolist()}
-    return Case(f"bump-{name}", family, "bump", Mesh(vertices, mesh.faces), told, mesh, part, exact)
+    wanted = (height > 0)[mesh.faces].any(axis=1)
+    return Case(f"bump-{name}", family, "bump", Mesh(vertices, mesh.faces), told, mesh, wanted, exact)
 
 
 def of_surface(surface: Surface, kind: str, stretch: float, family: str, seed: int) -> Iterator[Case]:

@@ -68,9 +68,7 @@ def test_planted_errors_are_measured_as_what_they_are():
 def test_distances_are_those_of_all_triangles():
     random = seeded("distances", 1)
     mesh = mesh_of(SPHERE, 0.3, "irregular", random)
-    mesh = Mesh(
-        np.vstack([mesh.vertices, [[9, 0, 0], [0, 9, 0], [0, 0, 9]]]), np.vstack([mesh.faces, [[len(mesh.vertices) + k for k in range(3)]]])
-    )
+    mesh = Mesh(np.vstack([mesh.vertices, [[9, 0, 0], [0, 9, 0], [0, 0, 9]]]), np.vstack([mesh.faces, [[len(mesh.vertices) + k for k in range(3)]]]))
     points = random.normal(0, 2, (200, 3))
     corners = mesh.corners()
     from fairbench.measures import _to_triangles
