@@ -38,7 +38,7 @@ class Answer(NamedTuple):
     words: str = ""
 
 
-class Refused(Exception):
+class RefusedError(Exception):
     """The program says that it cannot do this."""
 
 
@@ -53,7 +53,7 @@ def main(run: Callable[[Task], Answer], version: str) -> None:
     try:
         answer = run(task)
         said.update(success=answer.success, words=answer.words)
-    except Refused as why:
+    except RefusedError as why:
         said.update(success=False, refused=str(why))
         answer = None
     except Exception as why:

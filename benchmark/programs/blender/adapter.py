@@ -3,7 +3,7 @@
 import bpy
 import numpy as np
 
-from fairbench.adapter import Answer, Refused, Task, main
+from fairbench.adapter import Answer, RefusedError, Task, main
 
 
 def scene(task: Task):
@@ -74,7 +74,7 @@ def run(task: Task) -> Answer:
     elif task.kind == "fair":
         sculpted(made, task)
     else:
-        raise Refused("not one of its tasks")
+        raise RefusedError("not one of its tasks")
     return exactly(task, arrays(made))
 
 

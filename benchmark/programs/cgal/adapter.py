@@ -6,7 +6,7 @@ import numpy as np
 from CGAL import CGAL_Polygon_mesh_processing as pmp
 from CGAL.CGAL_Polyhedron_3 import Polyhedron_3, Polyhedron_3_Facet_handle, Polyhedron_3_Vertex_handle
 
-from fairbench.adapter import Answer, Refused, Task, main
+from fairbench.adapter import Answer, RefusedError, Task, main
 
 
 def polyhedron(task: Task) -> Polyhedron_3:
@@ -18,7 +18,7 @@ def polyhedron(task: Task) -> Polyhedron_3:
     path.write_text("\n".join(lines) + "\n")
     made = Polyhedron_3(str(path))
     if made.size_of_vertices() != len(task.vertices):
-        raise Refused("the mesh is no polyhedron")
+        raise RefusedError("the mesh is no polyhedron")
     return made
 
 
@@ -57,9 +57,9 @@ def run(task: Task) -> Answer:
     elif task.kind == "fair":
         free = set(task.told["free"])
         handles = [vertex for number, vertex in enumerate(made.vertices()) if number in free]
-        is_closed = bool(pmp.fair(made, handles))
+        is_closed = pmp.fair(made, handles) is not False
     else:
-        raise Refused("not one of its tasks")
+        raise RefusedError("not one of its tasks")
     answer = arrays(made, task)
     return answer._replace(success=is_closed, words="fair" if is_closed else "not fair")
 

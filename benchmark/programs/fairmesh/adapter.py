@@ -1,10 +1,12 @@
 """The command line of fairmesh, FAIRMESH_PROGRAM: with tangent planes (g1), or with curvature (g2)."""
 
+import json
 import os
 import subprocess
 import sys
+from typing import Any
 
-from fairbench.adapter import Answer, Refused, Task, main
+from fairbench.adapter import Answer, RefusedError, Task, main
 from fairbench.meshes import read_ply
 
 PROGRAM = os.environ["FAIRMESH_PROGRAM"]
@@ -13,32 +15,40 @@ PROGRAM = os.environ["FAIRMESH_PROGRAM"]
 def run(task: Task) -> Answer:
     result, list_file = task.scratch / "result.ply", task.scratch / "list.txt"
     if task.kind == "fill":
-        words = ["fill", task.path, "--relax-rim", "3"] if "rim" in sys.argv[3:] else ["fill", task.path]
+        words = ["fill", task.path, *rough(task)]
     elif task.kind == "join":
-        loops = boundary_numbers(task)
-        words = ["fill", task.path, "--join", ",".join(map(str, loops))]
+        words = ["fill", task.path, "--join", ",".join(map(str, numbers(task)))]
     elif task.kind == "fair":
         list_file.write_text("\n".join(map(str, task.told["free"])))
         words = ["fair", task.path, "--free", list_file]
     elif task.kind == "bump":
         words = ["fair", task.path, "--bump", ",".join(map(repr, task.told["point"]))]
     else:
-        raise Refused("not one of its tasks")
+        raise RefusedError("not one of its tasks")
     if "g2" in sys.argv[3:]:
         words += ["--continuity", "g2"]
     ran = subprocess.run([PROGRAM, *map(str, words), "-o", str(result), "--threads", "1"], capture_output=True, text=True, check=False)
     if not result.exists():
-        raise Refused(ran.stderr.strip()[-300:])
+        raise RefusedError(ran.stderr.strip()[-300:])
     mesh = read_ply(result)
     return Answer(mesh.vertices, mesh.faces, ran.returncode == 0, ran.stdout.strip().splitlines()[0])
 
 
-def boundary_numbers(task: Task) -> list[int]:
-    """The numbers of the loops through the vertices that are told."""
-    import json
+def holes(task: Task) -> list[dict[str, Any]]:
+    """What `fairmesh holes` tells of each loop."""
+    listed = subprocess.run([PROGRAM, "holes", str(task.path), "--json", "-"], capture_output=True, text=True, check=True)
+    return json.loads(listed.stdout)
 
-    listed = subprocess.run([PROGRAM, "holes", str(task.path), "--json", "-"], capture_output=True, text=True, check=True).stdout
-    loops = json.loads(listed)["loops"]
+
+def rough(task: Task) -> list[str]:
+    """The flags that it advises where a boundary is rough, as its documents say."""
+    advised = [each["roughness"]["advice"] for each in holes(task) if each["kind"] == "hole" and each["roughness"]["advice"]]
+    return ["--relax-rim", str(advised[0]["relax_rim"]), "--relax-within", repr(advised[0]["relax_within"])] if advised else []
+
+
+def numbers(task: Task) -> list[int]:
+    """The numbers of the loops through the vertices that are told."""
+    loops = holes(task)
     return [next(k for k, loop in enumerate(loops) if vertex in loop["vertices"]) for vertex in task.told["loops"]]
 
 

@@ -6,16 +6,16 @@ from importlib.metadata import version
 import igl
 import numpy as np
 
-from fairbench.adapter import Answer, Refused, Task, main
+from fairbench.adapter import Answer, RefusedError, Task, main
 
 
 def run(task: Task) -> Answer:
     if task.kind != "fair":
-        raise Refused("not one of its tasks")
+        raise RefusedError("not one of its tasks")
     fixed = np.setdiff1d(np.arange(len(task.vertices)), task.told["free"])
     moved = igl.harmonic(task.vertices, task.faces, fixed, task.vertices[fixed], int(sys.argv[3]))
     if not np.isfinite(moved).all():
-        raise Refused("not finite")
+        raise RefusedError("not finite")
     return Answer(moved, task.faces)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from meshlib import mrmeshnumpy as mn
 from meshlib import mrmeshpy as mm
 
-from fairbench.adapter import Answer, Refused, Task, main
+from fairbench.adapter import Answer, RefusedError, Task, main
 from fairbench.meshes import loops
 
 
@@ -38,7 +38,7 @@ def run(task: Task) -> Answer:
         ends = [next(edge for edge in holes if on_loop(mesh, edge, vertex)) for vertex in task.told["loops"]]
         mm.stitchHolesNicely(mesh, ends[0], ends[1], settings(task, mm.StitchHolesNicelySettings()))
     else:
-        raise Refused("not one of its tasks")
+        raise RefusedError("not one of its tasks")
     vertices = mn.getNumpyVerts(mesh).copy()
     vertices[: len(task.vertices)] = np.where(vertices[: len(task.vertices)] == task.vertices.astype(np.float32), task.vertices, vertices[: len(task.vertices)])
     return Answer(vertices, mn.getNumpyFaces(mesh.topology))

@@ -5,12 +5,12 @@ from importlib.metadata import version
 import numpy as np
 import open3d
 
-from fairbench.adapter import Answer, Refused, Task, main
+from fairbench.adapter import Answer, RefusedError, Task, main
 
 
 def run(task: Task) -> Answer:
     if task.kind != "fill":
-        raise Refused("not one of its tasks")
+        raise RefusedError("not one of its tasks")
     mesh = open3d.t.geometry.TriangleMesh(open3d.core.Tensor(task.vertices), open3d.core.Tensor(task.faces.astype(np.int32)))
     closed = mesh.fill_holes(hole_size=1e9)
     return Answer(closed.vertex.positions.numpy(), closed.triangle.indices.numpy())

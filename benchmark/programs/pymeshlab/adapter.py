@@ -5,7 +5,7 @@ from importlib.metadata import version
 import numpy as np
 import pymeshlab
 
-from fairbench.adapter import Answer, Refused, Task, main
+from fairbench.adapter import Answer, RefusedError, Task, main
 
 
 def run(task: Task) -> Answer:
@@ -20,7 +20,7 @@ def run(task: Task) -> Answer:
         meshes.compute_selection_by_condition_per_vertex(condselect="q > 0.5")
         meshes.apply_coord_laplacian_smoothing(stepsmoothnum=100, cotangentweight=True, selected=True)
     else:
-        raise Refused("not one of its tasks")
+        raise RefusedError("not one of its tasks")
     made = meshes.current_mesh()
     return Answer(made.vertex_matrix(), made.face_matrix())
 

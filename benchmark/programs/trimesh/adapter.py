@@ -4,12 +4,12 @@ from importlib.metadata import version
 
 import trimesh
 
-from fairbench.adapter import Answer, Refused, Task, main
+from fairbench.adapter import Answer, RefusedError, Task, main
 
 
 def run(task: Task) -> Answer:
     if task.kind != "fill":
-        raise Refused("not one of its tasks")
+        raise RefusedError("not one of its tasks")
     mesh = trimesh.Trimesh(task.vertices, task.faces, process=False)
     is_closed = trimesh.repair.fill_holes(mesh)
     return Answer(mesh.vertices, mesh.faces, bool(is_closed), "watertight" if is_closed else "not watertight")
