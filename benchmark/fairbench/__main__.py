@@ -1,0 +1,89 @@
+"""`python -m fairbench`: makes the cases, runs the programs, and writes the page. `run.sh` starts this."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+from pathlib import Path
+
+from .cases import Case, cases
+from .judge import Row, geometric_mean, row
+from .page import page
+from .programs import Program, programs
+from .runner import run, write_task
+
+ROOT = Path(__file__).resolve().parents[2]
+RESULTS = ROOT / "benchmark/results.json"
+PAGE = ROOT / "docs/benchmark.md"
+#: With --quick every so many cases are run.
+EVERY = 3
+#: A class is worse where its mean exceeds the committed one by more than this factor.
+WORSE = 1.05
+
+
+def asked() -> argparse.Namespace:
+    """The command line."""
+    parser = argparse.ArgumentParser(prog="benchmark/run.sh", description=__doc__)
+    parser.add_argument("--data", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--environments", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--work", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--only", default="", help="programs whose folders are these, separated by commas")
+    parser.add_argument("--quick", action="store_true", help="every third case, compared with the committed results; nothing is written")
+    parser.add_argument("--seeds", type=int, default=1, help="so many sets of cases")
+    parser.add_argument("--jobs", type=int, default=2, help="runs at a time")
+    return parser.parse_args()
+
+
+def main() -> int:
+    """Runs what is asked for."""
+    args = asked()
+    chosen = [each for each in programs() if not args.only or each.folder.name in args.only.split(",")]
+    rows: list[Row] = []
+    versions: dict[str, str] = {}
+    for seed in range(1, args.seeds + 1):
+        made = list(cases(seed, args.data))
+        for case in made[::EVERY] if args.quick else made:
+            task = args.work / "cases" / f"{case.name}-{seed}"
+            write_task(case, task)
+            some = [each for each in chosen if case.task in each.tasks]
+            with ThreadPoolExecutor(args.jobs) as pool:
+                for found, version in pool.map(partial(one, args, case, task), some):
+                    rows.append(found._replace(case=case.name if seed == 1 else f"{case.name}-{seed}"))
+                    versions[found.program] = version or versions.get(found.program, "")
+            print(f"{case.name}: {', '.join(f'{each.program} {100 * each.error():.2g} %' for each in rows[-len(some) :])}", flush=True)
+    if args.quick:
+        return compared(rows)
+    RESULTS.write_text(json.dumps({"versions": versions, "runs": [each._asdict() for each in rows]}, indent=1) + "\n")
+    PAGE.write_text(page(rows, chosen, versions, list(range(1, args.seeds + 1))))
+    return 0
+
+
+def one(args: argparse.Namespace, case: Case, task: Path, program: Program) -> tuple[Row, str]:
+    """A run, judged, and the program's version."""
+    environment = program.folder.name if program.own_environment else "common"
+    python = args.environments / environment / "bin/python"
+    out = args.work / "out" / task.name / program.name.replace(" ", "-")
+    made = run(program, task, out, python)
+    return row(case, program, made), str(made.said.get("version", ""))
+
+
+def compared(rows: list[Row]) -> int:
+    """Fails where a class got worse than the committed results of the same cases."""
+    before = {(each["case"], each["program"]): Row(**each) for each in json.loads(RESULTS.read_text())["runs"]}
+    classes = sorted({(each.family, each.task, each.program) for each in rows})
+    worse = 0
+    for family, task, program in classes:
+        some = [each for each in rows if (each.family, each.task, each.program) == (family, task, program)]
+        now = geometric_mean([each.error() for each in some])
+        was = geometric_mean([before[each.case, each.program].error() for each in some])
+        is_worse = now > WORSE * was
+        worse += is_worse
+        print(f"{family} {task} {program}: {100 * now:.4g} %, was {100 * was:.4g} %{'  WORSE' if is_worse else ''}")
+    return 1 if worse else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Runs the benchmark, and writes docs/benchmark.md and benchmark/results.json. Installs what it needs (Debian 12 with Rust): meshes of Debian's
+# libcgal-demo, and the programs from PyPI, into target/benchmark.
+#   benchmark/run.sh                            everything, in about half an hour on two cores
+#   benchmark/run.sh --only fairmesh --quick    a third of the cases, compared with the committed results
+#   benchmark/run.sh test                       tests of the measures
+set -euo pipefail
+cd "$(dirname "$0")/.."
+work=${CARGO_TARGET_DIR:-target}/benchmark
+mkdir -p "$work"
+work=$(cd "$work" && pwd)
+
+install_packages() {
+    local as_root=""
+    [ "$(id -u)" -eq 0 ] || as_root=sudo
+    $as_root apt-get update -qq -o DPkg::Lock::Timeout=300
+    $as_root apt-get install -y -qq --no-install-recommends -o DPkg::Lock::Timeout=300 "$@"
+}
+
+# environment NAME FILE...: a virtual environment with the packages of these files, made anew when they change.
+environment() {
+    local home=$work/environments/$1 wanted
+    shift
+    wanted=$(cat "$@")
+    if [ "$(cat "$home/installed" 2>/dev/null)" != "$wanted" ]; then
+        rm -rf "$home"
+        python3 -m venv "$home"
+        local file
+        for file in "$@"; do "$home/bin/pip" --disable-pip-version-check install -q -r "$file"; done
+        printf '%s\n' "$wanted" >"$home/installed"
+    fi
+}
+
+missing=()
+python3 -c 'import ensurepip' 2>/dev/null || missing+=(python3-venv)
+# What Blender and Open3D load.
+for library in libGL.so.1:libgl1 libEGL.so.1:libegl1 libX11.so.6:libx11-6 libXi.so.6:libxi6 libXxf86vm.so.1:libxxf86vm1 \
+    libXfixes.so.3:libxfixes3 libXrender.so.1:libxrender1 libSM.so.6:libsm6 libxkbcommon.so.0:libxkbcommon0; do
+    ldconfig -p | grep -q "${library%:*} " || missing+=("${library#*:}")
+done
+archive=/usr/share/doc/libcgal-demo/data.tar.gz
+[ -e $archive ] || missing+=(libcgal-demo)
+[ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
+data=$work/data/meshes
+[ -e "$data" ] || tar -xzf $archive -C "$work" data/meshes
+
+common=()
+for program in benchmark/programs/*/; do
+    [ -e "$program/requirements.txt" ] || continue
+    if grep -q '^own_environment = true' "$program/program.toml"; then
+        case ",$*," in *,--only* | *" --only "*) continue ;; esac
+        environment "$(basename "$program")" "$program/requirements.txt"
+    else
+        common+=("$program/requirements.txt")
+    fi
+done
+environment common benchmark/requirements.txt "${common[@]}"
+
+export PYTHONPATH=$PWD/benchmark
+python=$work/environments/common/bin/python
+if [ "${1:-}" = test ]; then exec "$python" -m pytest -q benchmark/tests; fi
+cargo build --release --locked --quiet -p fairmesh-cli
+FAIRMESH_PROGRAM=$(cd "${CARGO_TARGET_DIR:-target}" && pwd)/release/fairmesh
+export FAIRMESH_PROGRAM
+exec "$python" -m fairbench --data "$data" --environments "$work/environments" --work "$work" "$@"
