@@ -113,8 +113,10 @@ def free_vertices(mesh: Mesh, part: Mask) -> NDArray[np.int64]:
 
 
 def hole(name: str, family: str, mesh: Mesh, part: Mask, exact: Surface | None) -> Case:
-    """The mesh without a part, which is to be filled."""
-    return Case(f"fill-{name}", family, "fill", mesh.only(~part), {}, mesh, part, exact)
+    """The mesh without a part, which is to be filled; the vertices of its boundary are told, as there may be other holes."""
+    used = np.unique(mesh.faces[~part])
+    rim = np.searchsorted(used, np.intersect1d(mesh.faces[part], used))
+    return Case(f"fill-{name}", family, "fill", mesh.only(~part), {"hole": rim.tolist()}, mesh, part, exact)
 
 
 def crumpled(name: str, family: str, mesh: Mesh, part: Mask, exact: Surface | None, random: np.random.Generator) -> Case:
@@ -168,9 +170,8 @@ def noisy_rim(surface: Surface, seed: int) -> Case:
     assert part is not None, name
     rim = np.intersect1d(mesh.faces[part], mesh.faces[~part])
     case = hole(name, "rim", mesh, part, surface)
-    used = np.unique(mesh.faces[~part])
     vertices = case.mesh.vertices.copy()
-    vertices[np.searchsorted(used, rim)] += random.normal(0, 0.2 * EDGE, (len(rim), 3))
+    vertices[case.told["hole"]] += random.normal(0, 0.2 * EDGE, (len(rim), 3))
     return case._replace(mesh=Mesh(vertices, case.mesh.faces))
 
 

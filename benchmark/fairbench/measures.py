@@ -6,6 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from .cases import Case
@@ -47,15 +49,38 @@ def new_triangles(case: Case, result: Mesh) -> Mask:
         is_moved[: len(case.mesh.vertices)] = (result.vertices[: len(case.mesh.vertices)] != case.truth.vertices).any(axis=1)
         if len(result.vertices) == len(case.mesh.vertices):
             return is_moved[result.faces].any(axis=1)
-    old = {_key(corners) for corners in case.mesh.corners()}
-    return np.array([_key(corners) not in old for corners in result.corners()], bool)
+    return _at_rim(case, result, ~np.isin(_keys(result), _keys(case.mesh)))
 
 
-def _key(corners: Points) -> tuple[tuple[float, ...], ...]:
-    """A triangle by the places of its corners, to single precision, whichever comes first."""
-    places = [tuple(map(float, p)) for p in corners.astype(np.float32) + np.float32(0)]
-    first = min(range(3), key=lambda k: places[k])
-    return tuple(places[first:] + places[:first])
+def _keys(mesh: Mesh) -> NDArray[np.void]:
+    """Each triangle by the places of its corners, to single precision, the smallest first."""
+    places = _places(mesh.vertices)[mesh.faces]
+    first = places.argmin(axis=1)
+    turned = np.take_along_axis(places, (first[:, None] + np.arange(3)) % 3, axis=1)
+    return np.ascontiguousarray(turned).view([("", turned.dtype)] * 3).ravel()
+
+
+def _places(points: Points) -> NDArray[np.uint64]:
+    """A number for each place, to single precision: a hash of its coordinates' bits."""
+    bits = (points.astype(np.float32) + np.float32(0)).view(np.uint32).astype(np.uint64)
+    mixed = np.zeros(len(points), np.uint64)
+    for k in range(3):
+        mixed = (mixed ^ bits[:, k]) * np.uint64(0x9E3779B97F4A7C15)
+        mixed ^= mixed >> np.uint64(29)
+    return mixed
+
+
+def _at_rim(case: Case, result: Mesh, new: Mask) -> Mask:
+    """Of the new triangles those that hang together with the hole's boundary: programs may have filled other holes, too."""
+    if "hole" not in case.told or not new.any():
+        return new
+    rim = np.isin(_places(result.vertices), _places(case.mesh.vertices[case.told["hole"]]))
+    faces = result.faces[new]
+    joints = coo_array((np.ones(3 * len(faces)), (faces.ravel(), faces[:, [1, 2, 0]].ravel())), (len(result.vertices),) * 2)
+    _, part = connected_components(joints, directed=False)
+    found = new.copy()
+    found[new] = np.isin(part[faces[:, 0]], part[np.intersect1d(np.flatnonzero(rim), faces)])
+    return found
 
 
 def samples(mesh: Mesh) -> tuple[Points, NDArray[np.float64]]:

@@ -7,12 +7,11 @@ from meshlib import mrmeshnumpy as mn
 from meshlib import mrmeshpy as mm
 
 from fairbench.adapter import Answer, RefusedError, Task, main
-from fairbench.meshes import loops
 
 
 def settings(task: Task, made):
     made.smoothCurvature = True
-    rim = np.concatenate(loops(task.faces)) if task.kind == "fill" else np.array(task.told["loops"])
+    rim = np.array(task.told["hole"] if task.kind == "fill" else task.told["loops"])
     near = task.faces[np.isin(task.faces, rim).any(axis=1)]
     edges = task.vertices[near[:, [1, 2, 0]]] - task.vertices[near]
     made.subdivideSettings.maxEdgeLen = float(np.linalg.norm(edges, axis=2).mean())
@@ -30,7 +29,7 @@ def run(task: Task) -> Answer:
         return Answer(moved, task.faces)
     holes = list(mesh.topology.findHoleRepresentiveEdges())
     if task.kind == "fill":
-        wanted = set(task.told.get("fill", range(len(task.vertices))))
+        wanted = set(task.told["hole"])
         for edge in holes:
             if mesh.topology.org(edge).get() in wanted:
                 mm.fillHoleNicely(mesh, edge, settings(task, mm.FillHoleNicelySettings()))
