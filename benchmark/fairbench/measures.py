@@ -74,7 +74,10 @@ def _at_rim(case: Case, result: Mesh, new: Mask) -> Mask:
     """Of the new triangles those that hang together with the hole's boundary: programs may have filled other holes, too."""
     if "hole" not in case.told or not new.any():
         return new
-    rim = np.isin(_places(result.vertices), _places(case.mesh.vertices[case.told["hole"]]))
+    corners = case.mesh.vertices[case.told["hole"]]
+    # A program may have moved them, by less than an edge.
+    near = cKDTree(corners).query(corners, 2)[0][:, 1].mean()
+    rim = cKDTree(corners).query(result.vertices, distance_upper_bound=near)[0] < near
     faces = result.faces[new]
     joints = coo_array((np.ones(3 * len(faces)), (faces.ravel(), faces[:, [1, 2, 0]].ravel())), (len(result.vertices),) * 2)
     _, part = connected_components(joints, directed=False)
@@ -150,7 +153,8 @@ def measured(case: Case, result: Mesh) -> Measures:
     found, truth = result.only(new), case.truth.only(wanted)
     there, there_weights = samples(truth)
     back, back_weights = samples(found)
-    ways = [(distances(there, found), there_weights), (distances(back, truth), back_weights)]
+    # From and to all of each: a program may have moved what is around the hole.
+    ways = [(distances(there, result), there_weights), (distances(back, case.truth), back_weights)]
     mean = np.mean([np.average(far, weights=weights) for far, weights in ways])
     square = np.mean([np.average(far**2, weights=weights) for far, weights in ways])
     angles = smallest_angles(found)
