@@ -52,8 +52,8 @@ environment "$target/python/numpy1" numpy==1.24.2 pytest==9.2.0    # those of De
 bin=$target/python/test/bin
 
 "$root/bindings/declarations.sh" python
-"$bin/ruff" format --check . ../../site ../../reproduction
-"$bin/ruff" check . ../../site ../../reproduction
+"$bin/ruff" format --check . ../../site ../../reproduction ../../benchmark
+"$bin/ruff" check . ../../site ../../reproduction ../../benchmark
 "$bin/mypy" src
 MYPYPATH=src "$bin/mypy" tests/typed.py
 MYPYPATH=src:examples/gallery "$bin/mypy" examples/*.py examples/gallery/*.py
