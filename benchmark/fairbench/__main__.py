@@ -11,13 +11,15 @@ from pathlib import Path
 
 from .cases import Case, cases
 from .judge import Row, geometric_mean, row
-from .page import page
+from .page import OWN, page
+from .pictures import chosen, draw
 from .programs import Program, programs
 from .runner import run, write_task
 
 ROOT = Path(__file__).resolve().parents[2]
 RESULTS = ROOT / "benchmark/results.json"
 PAGE = ROOT / "docs/benchmark.md"
+PICTURES = ROOT / "docs/benchmark"
 #: With --quick every so many cases are run.
 EVERY = 3
 #: A class is worse where its mean exceeds the committed one by more than this factor.
@@ -33,6 +35,7 @@ def asked() -> argparse.Namespace:
     parser.add_argument("--only", default="", help="programs whose folders are these, separated by commas")
     parser.add_argument("--quick", action="store_true", help="every third case, compared with the committed results; nothing is written")
     parser.add_argument("--seeds", type=int, default=1, help="so many sets of cases")
+    parser.add_argument("--page", action="store_true", help="runs nothing: the page of the last results")
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time")
     return parser.parse_args()
 
@@ -40,7 +43,21 @@ def asked() -> argparse.Namespace:
 def main() -> int:
     """Runs what is asked for."""
     args = asked()
-    chosen = [each for each in programs() if not args.only or each.folder.name in args.only.split(",")]
+    some = [each for each in programs() if not args.only or each.folder.name in args.only.split(",")]
+    if args.page:
+        told = json.loads(RESULTS.read_text())
+        write_page(args, [Row(**each) for each in told["runs"]], some, told["versions"])
+        return 0
+    rows, versions = run_all(args, some)
+    if args.quick:
+        return compared(rows)
+    RESULTS.write_text(json.dumps({"versions": versions, "runs": [each._asdict() for each in rows]}, indent=1) + "\n")
+    write_page(args, rows, some, versions)
+    return 0
+
+
+def run_all(args: argparse.Namespace, some: list[Program]) -> tuple[list[Row], dict[str, str]]:
+    """Every program on every case that it can do, judged; and the versions."""
     rows: list[Row] = []
     versions: dict[str, str] = {}
     for seed in range(1, args.seeds + 1):
@@ -48,17 +65,24 @@ def main() -> int:
         for case in made[::EVERY] if args.quick else made:
             task = args.work / "cases" / f"{case.name}-{seed}"
             write_task(case, task)
-            some = [each for each in chosen if case.task in each.tasks]
+            able = [each for each in some if case.task in each.tasks]
             with ThreadPoolExecutor(args.jobs) as pool:
-                for found, version in pool.map(partial(one, args, case, task), some):
+                for found, version in pool.map(partial(one, args, case, task), able):
                     rows.append(found._replace(case=case.name if seed == 1 else f"{case.name}-{seed}"))
                     versions[found.program] = version or versions.get(found.program, "")
-            print(f"{case.name}: {', '.join(f'{each.program} {100 * each.error():.2g} %' for each in rows[-len(some) :])}", flush=True)
-    if args.quick:
-        return compared(rows)
-    RESULTS.write_text(json.dumps({"versions": versions, "runs": [each._asdict() for each in rows]}, indent=1) + "\n")
-    PAGE.write_text(page(rows, chosen, versions, list(range(1, args.seeds + 1))))
-    return 0
+            print(f"{case.name}: {', '.join(f'{each.program} {100 * each.error():.2g} %' for each in rows[-len(able) :])}", flush=True)
+    return rows, versions
+
+
+def write_page(args: argparse.Namespace, rows: list[Row], some: list[Program], versions: dict[str, str]) -> None:
+    """The page, and its pictures, which are of the first set of cases."""
+    PICTURES.mkdir(exist_ok=True)
+    for old in PICTURES.glob("*.png"):
+        old.unlink()
+    first = {case.name: case for case in cases(1, args.data)}
+    shown = [each for each in chosen(rows, OWN) if each.own.case in first]
+    drawn = {each: draw(first[each.own.case], each, args.work / "out" / f"{each.own.case}-1", PICTURES) for each in shown}
+    PAGE.write_text(page(rows, some, versions, list(range(1, args.seeds + 1)), drawn))
 
 
 def one(args: argparse.Namespace, case: Case, task: Path, program: Program) -> tuple[Row, str]:

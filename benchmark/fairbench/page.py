@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterable
 
 from .judge import Row, best_errors, geometric_mean, is_good, spread
+from .pictures import Chosen
 from .programs import Program
 
 #: Whose losses come first.
@@ -24,8 +25,8 @@ FAMILIES = {
 }
 
 
-def page(rows: list[Row], programs: list[Program], versions: dict[str, str], seeds: list[int]) -> str:
-    """In Markdown."""
+def page(rows: list[Row], programs: list[Program], versions: dict[str, str], seeds: list[int], drawn: dict[Chosen, str]) -> str:
+    """In Markdown, with the lines that show pictures."""
     parts = [HEAD.format(cases=len({one.case for one in rows}), runs=len(rows), seeds=", ".join(map(str, seeds)))]
     parts.append(losses(rows))
     by_class: dict[tuple[str, str], list[Row]] = defaultdict(list)
@@ -33,6 +34,9 @@ def page(rows: list[Row], programs: list[Program], versions: dict[str, str], see
         by_class[one.family, one.task].append(one)
     for (family, task), some in by_class.items():
         parts.append(f"## {task.capitalize()}: {FAMILIES[family]}\n\n{table(some)}")
+        for each, line in drawn.items():
+            if (each.own.family, each.own.task) == (family, task):
+                parts.append(f"The {each.label} for fairmesh beside others, {each.own.case}:\n\n{line}\n")
     parts.append(words(rows))
     parts.append("## Programs\n\n" + lines(["program", "version", "how", "its word of success"], of_programs(programs, versions)))
     return "\n".join(parts)
