@@ -15,7 +15,7 @@ PROGRAM = os.environ["FAIRMESH_PROGRAM"]
 def run(task: Task) -> Answer:
     result, list_file = task.scratch / "result.ply", task.scratch / "list.txt"
     if task.kind == "fill":
-        words = ["fill", task.path, *rough(task)]
+        words = ["fill", task.path, *hole(task)]
     elif task.kind == "join":
         words = ["fill", task.path, "--join", ",".join(map(str, numbers(task)))]
     elif task.kind == "fair":
@@ -40,10 +40,12 @@ def holes(task: Task) -> list[dict[str, Any]]:
     return json.loads(listed.stdout)
 
 
-def rough(task: Task) -> list[str]:
-    """The flags that it advises where a boundary is rough, as its documents say."""
-    advised = [each["roughness"]["advice"] for each in holes(task) if each["kind"] == "hole" and each["roughness"]["advice"]]
-    return ["--relax-rim", str(advised[0]["relax_rim"]), "--relax-within", repr(advised[0]["relax_within"])] if advised else []
+def hole(task: Task) -> list[str]:
+    """The number of the hole, and the flags that are advised where its boundary is rough, as the documents say."""
+    number, told = next((k, each) for k, each in enumerate(holes(task)) if task.told["hole"][0] in each["vertices"])
+    advised = told["roughness"]["advice"]
+    rough = ["--relax-rim", str(advised["relax_rim"]), "--relax-within", repr(advised["relax_within"])] if advised else []
+    return ["--loop", str(number), *rough]
 
 
 def numbers(task: Task) -> list[int]:
