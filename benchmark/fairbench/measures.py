@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import igl
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import coo_array
@@ -97,40 +98,8 @@ def samples(mesh: Mesh) -> tuple[Points, NDArray[np.float64]]:
 
 
 def distances(points: Points, mesh: Mesh) -> NDArray[np.float64]:
-    """From each point to the nearest one of a mesh: exact, among the triangles that can hold it."""
-    corners = mesh.corners()
-    middles = corners.mean(axis=1)
-    reach = np.linalg.norm(corners - middles[:, None], axis=2).max(axis=1)
-    tree = cKDTree(middles)
-    near = min(12, len(middles))
-    far, found = tree.query(points, near)
-    far, found = far.reshape(len(points), near), found.reshape(len(points), near)
-    best = _to_triangles(points, corners, found).min(axis=1)
-    # Farther middles may have nearer triangles, where these are large.
-    open_ones = np.flatnonzero(far[:, -1] - reach.max() < best) if near < len(middles) else np.zeros(0, np.int64)
-    for k in open_ones:
-        candidates = np.array(tree.query_ball_point(points[k], best[k] + reach.max()))
-        if len(candidates):
-            candidates = candidates[np.linalg.norm(middles[candidates] - points[k], axis=1) - reach[candidates] < best[k]]
-        if len(candidates):
-            best[k] = min(best[k], _to_triangles(points[k : k + 1], corners, candidates[None]).min())
-    return best
-
-
-def _to_triangles(points: Points, corners: Points, which: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Distances (n, k) of points to triangles: to the plane where the foot is inside, else to the edges."""
-    p = points[:, None]
-    a, b, c = (corners[which, k] for k in range(3))
-    normal = np.cross(b - a, c - a)
-    squared = np.maximum((normal * normal).sum(axis=2), 1e-300)
-    best = np.full(which.shape, np.inf)
-    inside = np.ones(which.shape, bool)
-    for u, v in ((a, b), (b, c), (c, a)):
-        inside &= (np.cross(v - u, p - u) * normal).sum(axis=2) >= 0
-        along = np.clip(((p - u) * (v - u)).sum(axis=2) / np.maximum(((v - u) ** 2).sum(axis=2), 1e-300), 0, 1)
-        best = np.minimum(best, np.linalg.norm(p - u - along[..., None] * (v - u), axis=2))
-    plane = np.abs(((p - a) * normal).sum(axis=2)) / np.sqrt(squared)
-    return np.where(inside, np.minimum(best, plane), best)
+    """From each point to the nearest one of a mesh."""
+    return np.sqrt(igl.point_mesh_squared_distance(points, mesh.vertices, mesh.faces)[0])
 
 
 def crease(mesh: Mesh, new: Mask) -> float:

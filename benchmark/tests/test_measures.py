@@ -65,16 +65,10 @@ def test_planted_errors_are_measured_as_what_they_are():
     assert new_triangles(case, Mesh(case.truth.vertices, flipped)).sum() == new.sum()
 
 
-def test_distances_are_those_of_all_triangles():
-    random = seeded("distances", 1)
-    mesh = mesh_of(SPHERE, 0.3, "irregular", random)
-    mesh = Mesh(np.vstack([mesh.vertices, [[9, 0, 0], [0, 9, 0], [0, 0, 9]]]), np.vstack([mesh.faces, [[len(mesh.vertices) + k for k in range(3)]]]))
-    points = random.normal(0, 2, (200, 3))
-    corners = mesh.corners()
-    from fairbench.measures import _to_triangles
-
-    every = np.tile(np.arange(len(mesh.faces)), (len(points), 1))
-    assert np.allclose(distances(points, mesh), _to_triangles(points, corners, every).min(axis=1), atol=1e-14)
+def test_distances_are_to_faces_edges_and_corners():
+    square = Mesh(np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]), np.array([[0, 1, 2], [0, 2, 3]]))
+    points = np.array([[0.3, 0.6, 2.0], [0.5, -3.0, 4.0], [2.0, 2.0, 0.0], [0.2, 0.2, 0.0]])
+    assert distances(points, square) == pytest.approx([2, 5, np.sqrt(2), 0], abs=1e-12)
 
 
 def test_files_come_back(tmp_path):
