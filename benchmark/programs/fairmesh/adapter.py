@@ -43,7 +43,7 @@ def holes(task: Task) -> list[dict[str, Any]]:
 def hole(task: Task) -> list[str]:
     """The number of the hole, and the flags that are advised where its boundary is rough, as the documents say."""
     number, told = next((k, each) for k, each in enumerate(holes(task)) if task.told["hole"][0] in each["vertices"])
-    advised = told["roughness"]["advice"]
+    advised = (told["roughness"] or {}).get("advice")
     rough = ["--relax-rim", str(advised["relax_rim"]), "--relax-within", repr(advised["relax_within"])] if advised else []
     return ["--loop", str(number), *rough]
 
