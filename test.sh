@@ -165,6 +165,8 @@ long() {
     step gallery bindings/python/test.sh long
     step guides cargo test --release --locked -p fairmesh-cli --test guides -- --ignored long::
     step long cargo test --release --locked --test library -- --ignored long::
+    step benchmark benchmark/run.sh test
+    step benchmark_quick benchmark/run.sh --only fairmesh --quick
     step torture tests/torture/run.sh --json target/test/torture.json
     step long_fuzzing env FUZZ_SEED=0 fuzz/run.sh "${FUZZ_SECONDS:-600}"
 }
