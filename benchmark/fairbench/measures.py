@@ -15,7 +15,8 @@ from .cases import Case
 from .meshes import Mask, Mesh, Points, boundary_edges, half_edges
 from .shape import edge_angles, smallest_angles
 
-#: Points per triangle side at which distances are taken. With half of it means change by up to 2 %, with double by less than 1 %.
+#: Points per triangle side at which distances are taken. With half of it root mean squares of 115 results change by up to 5 %
+#: (median .3 %), with double by up to 2.4 % (.1 %).
 SIDE = 4
 #: Triangles with an angle below this, in degrees, have no area to speak of: normals and crossings mean nothing there.
 FLAT = 0.01

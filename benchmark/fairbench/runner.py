@@ -15,9 +15,9 @@ from .cases import Case
 from .meshes import Mesh, read_ply, write_ply
 from .programs import Program
 
-#: Seconds that a run may take. The slowest success of all takes a third of it.
+#: Seconds that a run may take. The slowest of 854 runs takes 3, so that half or double changes none.
 SECONDS = 60.0
-#: Bytes that it may hold.
+#: Bytes that it may hold. The largest of 854 runs holds .3 GiB, so that half or double changes none.
 MEMORY = 4 << 30
 #: A result with coordinates so many times as large as the input's, or that are no numbers, is no mesh.
 FAR = 100.0

@@ -20,7 +20,8 @@ Triple = tuple[int, ...]
 Vector = tuple[float, ...]
 #: Points of a profile that distances are taken to: chords of a curve of length 1 are off by less than 1e-8.
 FINE = 8_000
-#: How far a vertex of an irregular mesh is from its place, in edges: at a half angles are above 20 degrees, at .28 a few triangles fold over.
+#: How far a vertex of an irregular mesh is from its place, in edges: the smallest angle of eight meshes is 22 degrees; at half it is 25, as regular
+#: as flips leave it; at double 548 edges are folded.
 JITTER = 0.2
 
 

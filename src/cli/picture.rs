@@ -125,8 +125,8 @@ fn frame(camera: &Camera, group: &Group<'_>) -> Option<[[i64; 2]; 2]> {
     is_small.then(|| [corner(low, -FRAME), corner(high, FRAME)])
 }
 
-/// What takes less than this share of a picture is lost in it: it gets a frame, so many pixels around it, or a camera of its own. By looks: at half a
-/// part of a mesh beside it is a speck, at double two versions of a mesh, one without its base, are shown in two sizes.
+/// What takes less than this share of a picture is lost in it: it gets a frame, so many pixels around it, or a camera of its own. Of 17 pairs of scans
+/// 9 have cameras of their own; at half 7, at double 15, among them parts beside their own mesh that fill half of the picture.
 pub const LOST: f64 = 0.3;
 const FRAME: i64 = 8;
 

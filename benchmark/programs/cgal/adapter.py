@@ -4,7 +4,7 @@ from importlib.metadata import version
 
 import numpy as np
 from CGAL import CGAL_Polygon_mesh_processing as pmp
-from CGAL.CGAL_Polyhedron_3 import Polyhedron_3, Polyhedron_3_Facet_handle, Polyhedron_3_Vertex_handle
+from CGAL.CGAL_Polyhedron_3 import Polyhedron_3
 
 from fairbench.adapter import Answer, RefusedError, Task, main
 
@@ -22,8 +22,8 @@ def polyhedron(task: Task) -> Polyhedron_3:
     return made
 
 
-def arrays(made: Polyhedron_3, task: Task) -> Answer:
-    """Its vertices, the old ones first and with their bits, and its faces."""
+def arrays(made: Polyhedron_3) -> Answer:
+    """Its vertices, the old ones first, and its faces."""
     for number, vertex in enumerate(made.vertices()):
         vertex.set_id(number)
     vertices = np.array([(p.x(), p.y(), p.z()) for p in made.points()])
@@ -37,7 +37,6 @@ def arrays(made: Polyhedron_3, task: Task) -> Answer:
             if at == first:
                 break
         faces.append(corners)
-    del task
     return Answer(vertices, np.array(faces))
 
 
@@ -60,9 +59,8 @@ def run(task: Task) -> Answer:
         is_closed = pmp.fair(made, handles) is not False
     else:
         raise RefusedError("not one of its tasks")
-    answer = arrays(made, task)
+    answer = arrays(made)
     return answer._replace(success=is_closed, words="fair" if is_closed else "not fair")
 
 
-assert Polyhedron_3_Facet_handle and Polyhedron_3_Vertex_handle
 main(run, version("cgal"))

@@ -55,12 +55,7 @@ fn read(bytes: &[u8], header: &Header, layout: Layout) -> Result<(Geometry, Ply)
     let mut has_others = false;
     let mut at = header.end;
     for element in &header.elements {
-        let rows = Rows {
-            bytes,
-            encoding: header.encoding,
-            layout,
-            element,
-        };
+        let rows = Rows::of(bytes, header, layout, element);
         let mut offsets = Vec::new();
         let table = match element.name.as_str() {
             "vertex" => {

@@ -9,7 +9,7 @@ use crate::normals::{cross, dot, sub, unit};
 /// at most 6.3 degrees beside its flank. With half of them 31 and 11, with double 15 and 3.4.
 const DIRECTIONS: usize = 48;
 /// Straight above, or where there is none the usual direction, is left for one that shows more than this many times as much area. With half or
-/// double the surplus none of 16 pictures changes (regions of scans, tubes); without it a closed surface is seen from anywhere.
+/// double the surplus none of 16 pictures changes (regions of scans, tubes); without it a closed surface, which all directions show alike, is seen from one of them by chance.
 const MORE: f64 = 1.1;
 /// Where more than this share of the part is in front of the rest, no other direction is tried. Half: none of the 16 changes; at .95 one does, a neck of
 /// a cow behind its head.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::failure::Malformed;
-use crate::formats::ply::header::{Element, Encoding, PropertyKind, Scalar};
+use crate::formats::ply::header::{Element, Encoding, Header, PropertyKind, Scalar};
 use crate::text::{self, Layout, Words};
 
 /// Where a property of a row is: its number, or the items of its list without their count.
@@ -16,6 +16,18 @@ pub struct Rows<'a> {
     /// Of a text.
     pub layout: Layout,
     pub element: &'a Element,
+}
+
+impl<'a> Rows<'a> {
+    /// The rows of an element.
+    pub fn of(bytes: &'a [u8], header: &Header, layout: Layout, element: &'a Element) -> Self {
+        Self {
+            bytes,
+            encoding: header.encoding,
+            layout,
+            element,
+        }
+    }
 }
 
 impl Rows<'_> {

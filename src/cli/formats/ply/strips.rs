@@ -37,12 +37,7 @@ fn replaced(bytes: &[u8], header: &Header, layout: Layout) -> Result<Vec<u8>, Ma
     let mut patches = Patches::default();
     let mut at = header.end;
     for element in &header.elements {
-        let rows = Rows {
-            bytes,
-            encoding: header.encoding,
-            layout,
-            element,
-        };
+        let rows = Rows::of(bytes, header, layout, element);
         let begin = at;
         if element.name != NAME {
             at = pass_over(&rows, at)?;
