@@ -34,6 +34,11 @@ def edited(made, select, work) -> None:
     bpy.ops.object.mode_set(mode="OBJECT")
 
 
+def at_boundary(vertices: set[int]):
+    """Whether an edge is one of the loops through these vertices."""
+    return lambda edge: edge.is_boundary and all(v.index in vertices for v in edge.verts)
+
+
 def arrays(made) -> Answer:
     mesh = made.data
     mesh.calc_loop_triangles()
@@ -62,11 +67,10 @@ def exactly(task: Task, answer: Answer) -> Answer:
 def run(task: Task) -> Answer:
     made = scene(task)
     if task.kind == "fill":
-        edited(made, lambda edge: edge.is_boundary, lambda: bpy.ops.mesh.fill(use_beauty=True))
+        edited(made, at_boundary(set(task.told["hole"])), lambda: bpy.ops.mesh.fill(use_beauty=True))
     elif task.kind == "join":
         ends = set().union(*(loop_of(task, vertex) for vertex in task.told["loops"]))
-        at_ends = lambda edge: edge.is_boundary and all(v.index in ends for v in edge.verts)  # noqa: E731
-        edited(made, at_ends, lambda: bpy.ops.mesh.bridge_edge_loops(number_cuts=8, interpolation="SURFACE"))
+        edited(made, at_boundary(ends), lambda: bpy.ops.mesh.bridge_edge_loops(number_cuts=8, interpolation="SURFACE"))
     elif task.kind == "round":
         ends = set(task.told["edge"])
         is_sharp = lambda edge: all(v.index in ends for v in edge.verts)  # noqa: E731

@@ -11,7 +11,7 @@ def run(task: Task) -> Answer:
     if task.kind != "fill":
         raise RefusedError("not one of its tasks")
     mesh = trimesh.Trimesh(task.vertices, task.faces, process=False)
-    is_closed = trimesh.repair.fill_holes(mesh)
+    is_closed = trimesh.repair.fill_holes(mesh, use_fan=True)
     return Answer(mesh.vertices, mesh.faces, bool(is_closed), "watertight" if is_closed else "not watertight")
 
 
