@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs the benchmark, and writes docs/benchmark.md and benchmark/results.json. Installs what it needs (Debian 12 with Rust): meshes of Debian's
-# libcgal-demo, and the programs from PyPI, into target/benchmark.
+# libcgal-demo, the programs from PyPI and those in C++ from Debian's headers, into target/benchmark.
 #   benchmark/run.sh                            everything, in about half an hour on two cores
 #   benchmark/run.sh --only fairmesh --quick    a third of the cases, compared with the committed results
 #   benchmark/run.sh test                       tests of the measures
@@ -31,12 +31,22 @@ environment() {
     fi
 }
 
+# compiled NAME FLAG...: benchmark/programs/NAME/main.cpp, compiled when it has changed.
+compiled() {
+    local source=benchmark/programs/$1/main.cpp made=$work/programs/$1
+    shift
+    [ "$made" -nt "$source" ] || g++ -std=c++17 -O2 -DNDEBUG "$source" -o "$made" "$@"
+}
+
 missing=()
 python3 -c 'import ensurepip' 2>/dev/null || missing+=(python3-venv)
 # What Blender and Open3D load.
 for library in libGL.so.1:libgl1 libEGL.so.1:libegl1 libX11.so.6:libx11-6 libXi.so.6:libxi6 libXxf86vm.so.1:libxxf86vm1 \
     libXfixes.so.3:libxfixes3 libXrender.so.1:libxrender1 libSM.so.6:libsm6 libxkbcommon.so.0:libxkbcommon0; do
     ldconfig -p | grep -q "${library%:*} " || missing+=("${library#*:}")
+done
+for header in CGAL/version.h:libcgal-dev eigen3/Eigen/Core:libeigen3-dev c++/12/vector:g++; do
+    [ -e "/usr/include/${header%:*}" ] || missing+=("${header#*:}")
 done
 archive=/usr/share/doc/libcgal-demo/data.tar.gz
 [ -e $archive ] || missing+=(libcgal-demo)
@@ -59,6 +69,12 @@ environment common benchmark/requirements.txt "${common[@]}"
 export PYTHONPATH=$PWD/benchmark
 python=$work/environments/common/bin/python
 if [ "${1:-}" = test ]; then exec "$python" -m pytest -q benchmark/tests; fi
+export BUILT_PROGRAMS=$work/programs
+mkdir -p "$BUILT_PROGRAMS"
+case ",$*," in
+    *,--only* | *" --only "*) ;;
+    *) compiled cgal_headers -DCGAL_EIGEN3_ENABLED -I/usr/include/eigen3 -lgmp -lmpfr ;;
+esac
 cargo build --release --locked --quiet -p fairmesh-cli
 FAIRMESH_PROGRAM=$(cd "${CARGO_TARGET_DIR:-target}" && pwd)/release/fairmesh
 export FAIRMESH_PROGRAM

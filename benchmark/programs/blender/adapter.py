@@ -1,9 +1,15 @@
-"""Blender: Fill and Smooth, Bridge Edge Loops with a smooth profile, Fair Tangency of sculpting, Bevel."""
+"""Blender: New Face and Subdivide, Bridge Edge Loops with a smooth profile, each with Fair Tangency of sculpting, and Bevel."""
 
 import bpy
 import numpy as np
 
 from fairbench.adapter import Answer, RefusedError, Task, main
+from fairbench.meshes import boundary_edges, loops
+
+#: New edges are cut in two that are so many times as long as those around the hole; LONGEST_NOTE
+LONGEST = 1.5
+#: Each halves the longest edges. NOTE
+ROUNDS = 8
 
 
 def scene(task: Task):
@@ -29,6 +35,7 @@ def edited(made, select, work) -> None:
     shape.edges.ensure_lookup_table()
     for edge in shape.edges:
         edge.select_set(bool(select(edge)))
+    shape.select_flush_mode()
     bmesh.update_edit_mesh(made.data)
     work()
     bpy.ops.object.mode_set(mode="OBJECT")
@@ -50,8 +57,6 @@ def arrays(made) -> Answer:
 
 
 def loop_of(task: Task, vertex: int) -> set[int]:
-    from fairbench.meshes import loops
-
     return next(set(map(int, loop)) for loop in loops(task.faces) if vertex in loop)
 
 
@@ -67,27 +72,65 @@ def exactly(task: Task, answer: Answer) -> Answer:
 def run(task: Task) -> Answer:
     made = scene(task)
     if task.kind == "fill":
-        edited(made, at_boundary(set(task.told["hole"])), lambda: bpy.ops.mesh.fill(use_beauty=True))
+        filled(made, task)
     elif task.kind == "join":
         ends = set().union(*(loop_of(task, vertex) for vertex in task.told["loops"]))
         edited(made, at_boundary(ends), lambda: bpy.ops.mesh.bridge_edge_loops(number_cuts=8, interpolation="SURFACE"))
+        sculpted(made, are_new(made, task))
     elif task.kind == "round":
         ends = set(task.told["edge"])
         is_sharp = lambda edge: all(v.index in ends for v in edge.verts)  # noqa: E731
         edited(made, is_sharp, lambda: bpy.ops.mesh.bevel(offset=task.told["radius"], segments=16, profile=0.5, clamp_overlap=False))
     elif task.kind == "fair":
-        sculpted(made, task)
+        sculpted(made, np.isin(np.arange(len(task.vertices)), task.told["free"]))
     else:
         raise RefusedError("not one of its tasks")
     return exactly(task, arrays(made))
 
 
-def sculpted(made, task: Task) -> None:
+def filled(made, task: Task) -> None:
+    """A face in the hole, cut into triangles; those are subdivided until their edges are about as long as those around, and faired."""
+    rim = boundary_edges(task.faces)
+    rim = task.vertices[rim[np.isin(rim, task.told["hole"]).all(axis=1)]]
+    length = LONGEST * np.linalg.norm(rim[:, 0] - rim[:, 1], axis=1).mean()
+    is_new = lambda face: face.index >= len(task.faces)  # noqa: E731
+    is_inner = lambda edge: all(map(is_new, edge.link_faces))  # noqa: E731
+    edited(made, at_boundary(set(task.told["hole"])), face)
+    for _ in range(ROUNDS):
+        count = len(made.data.vertices)
+        edited(made, lambda edge: is_inner(edge) and edge.calc_length() > length, bpy.ops.mesh.subdivide)
+        edited(made, lambda edge: any(map(is_new, edge.link_faces)), triangulated)
+        if len(made.data.vertices) == count:
+            break
+    sculpted(made, are_new(made, task))
+
+
+def face() -> None:
+    """Of the selected edges, of triangles."""
+    bpy.ops.mesh.edge_face_add()
+    bpy.ops.mesh.quads_convert_to_tris()
+
+
+def triangulated() -> None:
+    """The selected faces, with the better of two diagonals everywhere."""
+    bpy.ops.mesh.quads_convert_to_tris()
+    bpy.ops.mesh.beautify_fill()
+
+
+def are_new(made, task: Task):
+    """Which vertices are: they come behind the old ones."""
+    return np.arange(len(made.data.vertices)) >= len(task.vertices)
+
+
+def sculpted(made, free) -> None:
     """Fair Tangency of the faces whose vertices are free; it wants a view."""
-    free = np.zeros(len(task.vertices), bool)
-    free[task.told["free"]] = True
+    if not free.any():
+        return
+    corners, starts = np.empty(len(made.data.loops), np.int32), np.empty(len(made.data.polygons), np.int32)
+    made.data.loops.foreach_get("vertex_index", corners)
+    made.data.polygons.foreach_get("loop_start", starts)
     sets = made.data.attributes.new(".sculpt_face_set", "INT", "FACE")
-    sets.data.foreach_set("value", np.where(free[task.faces].any(axis=1), 2, 1).astype(np.int32))
+    sets.data.foreach_set("value", np.where(np.logical_or.reduceat(free[corners], starts), 2, 1).astype(np.int32))
     window = bpy.context.window_manager.windows[0]
     area = next(each for each in window.screen.areas if each.type == "VIEW_3D")
     region = next(each for each in area.regions if each.type == "WINDOW")

@@ -7,15 +7,13 @@ from CGAL import CGAL_Polygon_mesh_processing as pmp
 from CGAL.CGAL_Polyhedron_3 import Polyhedron_3
 
 from fairbench.adapter import Answer, RefusedError, Task, main
+from programs.compiled import write_off
 
 
 def polyhedron(task: Task) -> Polyhedron_3:
     """Through a file: the package has no way for arrays."""
     path = task.scratch / "mesh.off"
-    lines = [f"OFF\n{len(task.vertices)} {len(task.faces)} 0"]
-    lines += [" ".join(map(repr, map(float, p))) for p in task.vertices]
-    lines += [f"3 {a} {b} {c}" for a, b, c in task.faces]
-    path.write_text("\n".join(lines) + "\n")
+    write_off(path, task.vertices, task.faces)
     made = Polyhedron_3(str(path))
     if made.size_of_vertices() != len(task.vertices):
         raise RefusedError("the mesh is no polyhedron")
@@ -42,17 +40,12 @@ def arrays(made: Polyhedron_3) -> Answer:
 
 def run(task: Task) -> Answer:
     made = polyhedron(task)
-    is_closed = True
     if task.kind == "fill":
-        open_edges = [edge for edge in made.halfedges() if edge.is_border()]
-        while open_edges:
-            edge = open_edges[0]
-            new_faces, new_vertices = [], []
-            is_closed = pmp.triangulate_refine_and_fair_hole(made, edge, new_faces, new_vertices) is not False and is_closed
-            left = [edge for edge in made.halfedges() if edge.is_border()]
-            if len(left) >= len(open_edges):
-                break
-            open_edges = left
+        for number, vertex in enumerate(made.vertices()):
+            vertex.set_id(number)
+        hole = set(task.told["hole"])
+        edge = next(each for each in made.halfedges() if each.is_border() and each.vertex().id() in hole)
+        is_closed = pmp.triangulate_refine_and_fair_hole(made, edge, [], []) is not False
     elif task.kind == "fair":
         free = set(task.told["free"])
         handles = [vertex for number, vertex in enumerate(made.vertices()) if number in free]
