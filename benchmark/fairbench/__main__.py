@@ -14,6 +14,7 @@ from .cases import Case, cases
 from .judge import Row, geometric_mean, row
 from .page import OWN, page
 from .pictures import chosen, draw
+from .plots import plots
 from .programs import Program, programs
 from .runner import run, write_task
 
@@ -35,7 +36,7 @@ def asked() -> argparse.Namespace:
     parser.add_argument("--work", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--only", default="", help="programs whose folders are these, separated by commas")
     parser.add_argument("--quick", action="store_true", help="every third case, compared with the committed results; nothing is written")
-    parser.add_argument("--seeds", type=int, default=1, help="so many sets of cases")
+    parser.add_argument("--seeds", type=int, default=3, help="so many sets of cases; with --quick it is one")
     parser.add_argument("--page", action="store_true", help="runs nothing: the page of the last results")
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time")
     return parser.parse_args()
@@ -61,7 +62,7 @@ def run_all(args: argparse.Namespace, some: list[Program]) -> tuple[list[Row], d
     """Every program on every case that it can do, judged; and the versions."""
     rows: list[Row] = []
     versions: dict[str, str] = {}
-    for seed in range(1, args.seeds + 1):
+    for seed in range(1, 2 if args.quick else args.seeds + 1):
         made = list(cases(seed, args.data))
         for case in [each for each in made if zlib.crc32(each.name.encode()) % EVERY == 0] if args.quick else made:
             task = args.work / "cases" / f"{case.name}-{seed}"
@@ -70,42 +71,44 @@ def run_all(args: argparse.Namespace, some: list[Program]) -> tuple[list[Row], d
             if not able:
                 continue
             with ThreadPoolExecutor(args.jobs) as pool:
-                for found, version in pool.map(partial(one, args, case, task), able):
-                    rows.append(found._replace(case=case.name if seed == 1 else f"{case.name}-{seed}"))
+                for found, version in pool.map(partial(one, args, case, seed), able):
+                    rows.append(found)
                     versions[found.program] = version or versions.get(found.program, "")
-            print(f"{case.name}: {', '.join(f'{each.program} {100 * each.error():.2g} %' for each in rows[-len(able) :])}", flush=True)
+            print(f"{case.name} {seed}: {', '.join(f'{each.program} {100 * each.error():.2g} %' for each in rows[-len(able) :])}", flush=True)
     return rows, versions
 
 
 def write_page(args: argparse.Namespace, rows: list[Row], some: list[Program], versions: dict[str, str]) -> None:
-    """The page, and its pictures, which are of the first set of cases."""
+    """The page, its plots, and its pictures, which are of the first set of cases."""
     PICTURES.mkdir(exist_ok=True)
     for old in PICTURES.glob("*.png"):
         old.unlink()
     first = {case.name: case for case in cases(1, args.data)}
-    shown = [each for each in chosen(rows, OWN) if each.own.case in first]
+    shown = chosen([each for each in rows if each.seed == 1], OWN)
     drawn = {each: draw(first[each.own.case], each, args.work / "out" / f"{each.own.case}-1", PICTURES) for each in shown}
-    PAGE.write_text(page(rows, some, versions, list(range(1, args.seeds + 1)), drawn))
+    PAGE.write_text(page(rows, some, versions, drawn, plots(rows, PICTURES)))
 
 
-def one(args: argparse.Namespace, case: Case, task: Path, program: Program) -> tuple[Row, str]:
+def one(args: argparse.Namespace, case: Case, seed: int, program: Program) -> tuple[Row, str]:
     """A run, judged, and the program's version."""
     environment = program.folder.name if program.own_environment else "common"
     python = args.environments / environment / "bin/python"
+    task = args.work / "cases" / f"{case.name}-{seed}"
     out = args.work / "out" / task.name / program.name.replace(" ", "-")
     made = run(program, task, out, python)
-    return row(case, program, made), str(made.said.get("version", ""))
+    return row(case, seed, program, made), str(made.said.get("version", ""))
 
 
 def compared(rows: list[Row]) -> int:
     """Fails where a class got worse than the committed results of the same cases."""
-    before = {(each["case"], each["program"]): Row(**each) for each in json.loads(RESULTS.read_text())["runs"]}
+    told = [Row(**each) for each in json.loads(RESULTS.read_text())["runs"]]
+    before = {(each.problem(), each.program): each for each in told}
     classes = sorted({(each.family, each.task, each.program) for each in rows})
     worse = 0
     for family, task, program in classes:
         some = [each for each in rows if (each.family, each.task, each.program) == (family, task, program)]
         now = geometric_mean([each.error() for each in some])
-        was = geometric_mean([before[each.case, each.program].error() for each in some])
+        was = geometric_mean([before[each.problem(), each.program].error() for each in some])
         is_worse = now > WORSE * was
         worse += is_worse
         print(f"{family} {task} {program}: {100 * now:.4g} %, was {100 * was:.4g} %{'  WORSE' if is_worse else ''}")

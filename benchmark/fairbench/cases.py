@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from . import parts, scans
+from . import blends, parts, scans
 from .meshes import Mask, Mesh, Points, loops, rings
 from .shape import edge_angles
 from .surfaces import Surface, mesh_of, surfaces
@@ -63,7 +63,7 @@ def cases(seed: int, data: Path) -> Iterator[Case]:
         yield from of_scan(name, mesh, seed)
     for name, mesh in parts.sharp(data):
         yield from of_part(name, mesh, seed)
-    yield from rounded()
+    yield from rounded(seed)
 
 
 def around(mesh: Mesh, centre: Points, radius: float) -> Mask:
@@ -214,8 +214,9 @@ def of_part(name: str, mesh: Mesh, seed: int) -> Iterator[Case]:
             return
 
 
-def rounded() -> Iterator[Case]:
-    """Edges to be rounded by a ball of a radius."""
-    for part in parts.rounded():
+def rounded(seed: int) -> Iterator[Case]:
+    """Edges to be rounded by a ball of a radius: two that are the same whatever the seed, and those of booleans."""
+    fixed = parts.rounded() if seed == 1 else iter(())
+    for part in (*fixed, *blends.blends(seeded("round", seed))):
         told: dict[str, object] = {"edge": part.edge, "radius": part.radius}
         yield Case(f"round-{part.name}", "blend", "round", part.sharp, told, part.rounded, part.wanted, None)

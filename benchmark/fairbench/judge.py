@@ -24,17 +24,22 @@ class Row(NamedTuple):
     """A run, judged. The measures are None where there is no result."""
 
     case: str
+    seed: int
     family: str
     task: str
     program: str
     ended: str
     says_success: bool | None
     rms: float | None
+    mean: float | None
     largest: float | None
     vertices: float | None
     crease: float | None
+    jump: float | None
     smallest_angle: float | None
     folds: int | None
+    crossings: int | None
+    tangled: int | None
     open_edges: int | None
     moved: int | None
     new_triangles: int | None
@@ -42,17 +47,21 @@ class Row(NamedTuple):
     peak: int | None
     why: str
 
+    def problem(self) -> tuple[str, int]:
+        """The case and its seed."""
+        return self.case, self.seed
+
     def error(self) -> float:
         """Root mean square of the distances; what a failure counts as."""
         return FAILED if self.rms is None else self.rms
 
 
-def row(case: Case, program: Program, run: Run) -> Row:
+def row(case: Case, seed: int, program: Program, run: Run) -> Row:
     """Judges a run by its files."""
     found = measured(case, run.result) if run.result is not None else None
     told = {} if found is None else {name: _plain(value) for name, value in found._asdict().items() if name in Row._fields}
     fields: dict[str, Any] = dict.fromkeys(Row._fields)
-    fields |= told | {"case": case.name, "family": case.family, "task": case.task, "program": program.name, "ended": run.ended}
+    fields |= told | {"case": case.name, "seed": seed, "family": case.family, "task": case.task, "program": program.name, "ended": run.ended}
     fields |= {"says_success": run.said.get("success"), "cpu": _plain(run.said.get("cpu")), "peak": run.said.get("peak")}
     return Row(**(fields | {"why": str(run.said.get("refused", ""))[:200]}))
 
@@ -68,27 +77,22 @@ def is_good(one: Row, best: float) -> bool:
     """Whether a result is near to the truth, or nearly as near as the nearest one, and without a flaw that a person sees."""
     if one.rms is None:
         return False
-    is_sound = one.folds == 0 and one.open_edges == 0 and (one.crease is None or one.crease < CREASE)
-    return is_sound and one.rms < max(NEAR, BESIDE * best)
+    return is_sound(one) and (one.crease is None or one.crease < CREASE) and one.rms < max(NEAR, BESIDE * best)
 
 
-def best_errors(rows: Iterable[Row]) -> dict[str, float]:
+def is_sound(one: Row) -> bool:
+    """Whether the result is one surface without flaws, whatever its shape."""
+    return not (one.folds or one.crossings or one.tangled or one.open_edges)
+
+
+def best_errors(rows: Iterable[Row]) -> dict[tuple[str, int], float]:
     """The nearest result of each case."""
-    best: dict[str, float] = {}
+    best: dict[tuple[str, int], float] = {}
     for one in rows:
-        best[one.case] = min(best.get(one.case, FAILED), one.error())
+        best[one.problem()] = min(best.get(one.problem(), FAILED), one.error())
     return best
 
 
 def geometric_mean(values: list[float]) -> float:
     """Of positive numbers; those below a billionth count as that."""
     return math.exp(sum(math.log(max(value, 1e-9)) for value in values) / len(values))
-
-
-def spread(values: list[float]) -> float:
-    """By which factor the geometric mean may be off: the standard error of its logarithm."""
-    if len(values) < 2:
-        return float("nan")
-    logs = [math.log(max(value, 1e-9)) for value in values]
-    middle = sum(logs) / len(logs)
-    return math.exp(math.sqrt(sum((x - middle) ** 2 for x in logs) / (len(logs) - 1) / len(logs)))

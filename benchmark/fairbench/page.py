@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable
+from typing import NamedTuple
 
-from .judge import Row, best_errors, geometric_mean, is_good, spread
+from .judge import Row, best_errors, geometric_mean, is_good, is_sound
 from .pictures import Chosen
 from .programs import Program
+from .standings import Standing, classes, standings
 
 #: Whose losses come first.
 OWN = "fairmesh g1"
 #: A loss is a result that is farther from the truth than another program's by more than this factor.
 LOSS = 1.1
+#: So many losses are told one by one; results.json has all.
+TOLD = 20
 
 FAMILIES = {
     "exact": "Exact surfaces (sphere, cylinder, cone, torus, ellipsoid, catenoid, unduloid, a band with r dH/ds constant)",
@@ -21,18 +25,17 @@ FAMILIES = {
     "tube": "Two ends of a tube to be joined",
     "scan": "Places of scans and sculptures, drawn by lot",
     "sharp": "Holes across sharp edges of parts",
-    "blend": "Edges to be rounded",
+    "blend": "Edges to be rounded: straight, round, and where booleans left them",
 }
 
 
-def page(rows: list[Row], programs: list[Program], versions: dict[str, str], seeds: list[int], drawn: dict[Chosen, str]) -> str:
-    """In Markdown, with the lines that show pictures."""
-    parts = [HEAD.format(cases=len({one.case for one in rows}), runs=len(rows), seeds=", ".join(map(str, seeds)))]
-    parts.append(losses(rows))
-    by_class: dict[tuple[str, str], list[Row]] = defaultdict(list)
-    for one in rows:
-        by_class[one.family, one.task].append(one)
-    for (family, task), some in by_class.items():
+def page(rows: list[Row], programs: list[Program], versions: dict[str, str], drawn: dict[Chosen, str], plots: list[str]) -> str:
+    """In Markdown, with the lines that show pictures and plots."""
+    problems = {one.problem() for one in rows}
+    seeds = sorted({seed for _, seed in problems})
+    parts = [HEAD.format(cases=len(problems), runs=len(rows), seeds=", ".join(map(str, seeds))), losses(rows)]
+    parts.append("## All classes\n\n" + "\n\n".join(plots) + "\n")
+    for (family, task), some in classes(rows).items():
         parts.append(f"## {task.capitalize()}: {FAMILIES[family]}\n\n{table(some)}")
         for each, line in drawn.items():
             if (each.own.family, each.own.task) == (family, task):
@@ -56,56 +59,82 @@ def lines(head: list[str], rows: Iterable[list[str]]) -> str:
 
 def table(rows: list[Row]) -> str:
     """The programs of a class, the nearest first."""
-    best = best_errors(rows)
-    by_program: dict[str, list[Row]] = defaultdict(list)
-    for one in rows:
-        by_program[one.program].append(one)
-    told = []
-    for name, some in by_program.items():
-        errors = [one.error() for one in some]
-        done = [one for one in some if one.rms is not None]
-        nearest = sum(one.error() <= best[one.case] * 1.001 and one.rms is not None for one in some)
-        times = [one.cpu for one in done if one.cpu is not None]
-        told.append(
-            (
-                geometric_mean(errors),
-                [
-                    name,
-                    f"{100 * geometric_mean(errors):.3g} (by {spread(errors):.2f})",
-                    f"{100 * max(errors):.3g}",
-                    f"{nearest} of {len(some)}",
-                    f"{sum(is_good(one, best[one.case]) for one in some)}",
-                    f"{len(some) - len(done)}",
-                    f"{max((one.crease or 0) for one in done):.0f}" if done else "",
-                    f"{sum((one.folds or 0) > 0 for one in done)}, {sum((one.open_edges or 0) > 0 for one in done)}",
-                    f"{geometric_mean(times):.2g}" if times else "",
-                ],
-            )
-        )
-    head = ["program", "rms, % of the width", "worst", "nearest", "good", "failed", "largest crease", "folded, open", "CPU s"]
-    return lines(head, [row for _, row in sorted(told, key=lambda each: each[0])])
+    head = ["rank", "program", "rms", "seeds", "worst", "nearest", "good", "failed", "flawed", "crease", "jump of H", "CPU s", "MB"]
+    return lines(head, map(_of, standings(rows)))
+
+
+def _of(one: Standing) -> list[str]:
+    done = [each for each in one.rows if each.rms is not None]
+    return [
+        one.rank(),
+        one.program,
+        f"{100 * one.mean:.3g}",
+        f"{100 * min(one.of_seeds):.3g} to {100 * max(one.of_seeds):.3g}",
+        f"{100 * max(each.error() for each in one.rows):.3g}",
+        f"{one.nearest} of {len(one.rows)}",
+        str(one.good),
+        str(len(one.rows) - len(done)),
+        str(sum(not is_sound(each) for each in done)),
+        _median([each.crease for each in done], ".2g"),
+        _median([each.jump for each in done], ".2g"),
+        _median([each.cpu for each in done], ".2g"),
+        _median([each.peak and each.peak / 1e6 for each in done], ".0f"),
+    ]
+
+
+def _median(values: Iterable[float | None], digits: str) -> str:
+    known = sorted(value for value in values if value is not None)
+    return format(max(known[len(known) // 2], 0.0), digits) if known else ""
+
+
+class Loss(NamedTuple):
+    """A case in which another program is nearer."""
+
+    times: float
+    own: Row
+    other: Row
 
 
 def losses(rows: list[Row]) -> str:
-    """Where another program is nearer to the truth."""
-    by_case: dict[str, list[Row]] = defaultdict(list)
+    """Where another program is nearer to the truth, by class and one by one; and what fairmesh does not do."""
+    told = []
+    found: list[Loss] = []
+    for (family, task), some in classes(rows).items():
+        lost, asked = _lost(some)
+        found += lost
+        if not any(one.program == OWN for one in some):
+            told.append([f"{task}, {family}", "not done by fairmesh", "", ""])
+        elif lost:
+            times = [each.times for each in lost]
+            told.append([f"{task}, {family}", f"{len(lost)} of {asked}", f"{geometric_mean(times):.2g}", f"{max(times):.2g}"])
+    by_class = lines(["task, class", "another is nearer", "times, mean", "times, most"], told)
+    one_by_one = [_told(each) for each in sorted(found, key=lambda each: -each.times)[:TOLD]]
+    head = ["case, seed", OWN, "nearest other", "which", "times", "how fairmesh ended"]
+    count = sum(_lost(some)[1] for some in classes(rows).values())
+    first = f"In {len(found)} of {count} cases another program is nearer to the truth by more than a tenth; the {TOLD} worst are below."
+    return f"## Where fairmesh loses\n\n{first}\n\n{by_class}\n{lines(head, one_by_one)}"
+
+
+def _told(loss: Loss) -> list[str]:
+    own, other = loss.own, loss.other
+    return [f"{own.case}, {own.seed}", f"{100 * own.error():.3g}", f"{100 * other.error():.3g}", other.program, f"{loss.times:.2g}", own.why or own.ended]
+
+
+def _lost(rows: list[Row]) -> tuple[list[Loss], int]:
+    """The losses, and in how many cases fairmesh has others beside it."""
+    by_problem: dict[tuple[str, int], list[Row]] = defaultdict(list)
     for one in rows:
-        by_case[one.case].append(one)
-    found = []
-    for case, some in by_case.items():
+        by_problem[one.problem()].append(one)
+    found, asked = [], 0
+    for some in by_problem.values():
         own = next((one for one in some if one.program == OWN), None)
-        if own is None:
-            continue
         other = min((one for one in some if not one.program.startswith("fairmesh")), key=Row.error, default=None)
-        if other is not None and own.error() > LOSS * other.error():
-            found.append((own.error() / other.error(), case, own, other))
-    told = [
-        [case, f"{100 * own.error():.3g}", f"{100 * other.error():.3g}", other.program, f"{ratio:.2g}", own.why or own.ended]
-        for ratio, case, own, other in sorted(found, key=lambda each: -each[0])
-    ]
-    asked = sum(any(one.program == OWN for one in some) and len(some) > 2 for some in by_case.values())
-    head = ["case", "fairmesh g1", "nearest other", "which", "times", "how fairmesh ended"]
-    return f"## Where fairmesh loses\n\nIn {len(told)} of {asked} cases another program is nearer to the truth by more than a tenth.\n\n" + lines(head, told)
+        if own is None or other is None:
+            continue
+        asked += 1
+        if own.error() > LOSS * other.error():
+            found.append(Loss(own.error() / other.error(), own, other))
+    return found, asked
 
 
 def words(rows: list[Row]) -> str:
@@ -118,8 +147,8 @@ def words(rows: list[Row]) -> str:
         no = [one for one in some if one.says_success is False]
         if not yes and not no:
             continue
-        false = sum(not is_good(one, best[one.case]) for one in yes)
-        shy = sum(is_good(one, best[one.case]) for one in no)
+        false = sum(not is_good(one, best[one.problem()]) for one in yes)
+        shy = sum(is_good(one, best[one.problem()]) for one in no)
         told.append([name, f"{len(yes)}", f"{false}", f"{len(no)}", f"{shy}"])
     head = ["program", "says success", "of these not good", "says it is none", "of these good"]
     return "## Whether their word is true\n\nGood is defined above. Programs that say nothing are not listed.\n\n" + lines(head, told)
@@ -127,9 +156,14 @@ def words(rows: list[Row]) -> str:
 
 HEAD = """# Benchmark of hole filling and fairing
 
-Written by `benchmark/run.sh` ([how it works](../benchmark/README.md)): {cases} cases with a truth, {runs} runs, seeds {seeds}. Distances are root mean squares
-over the area, from the result to the truth and back, in per cent of the width of the hole or region; of several cases the geometric mean, behind it the
-factor by which that may be off (one standard error). A failure counts as 100 %. A result is *good* that is nearer than 1 %, or three times as far as the
-nearest one, without folds, open edges, and a crease of 10 degrees beyond the truth's. On exact surfaces triangles themselves are some .05 % off. CPU seconds
-are those of the call, of command lines with reading and writing.
+Written by `benchmark/run.sh` ([how it works](../benchmark/README.md)): {cases} cases with a truth, {runs} runs, seeds {seeds}.
+
+- *rms*: distances from the result to the truth and back, root mean square over the area, in per cent of the width of the hole or region; of several cases
+  the geometric mean. A failure counts as 100. *seeds*: the same of each seed by itself, the least and the largest; the rank likewise.
+- *good*: nearer than 1 %, or three times as far as the nearest one; sound, and with a crease at the rim of at most 10 degrees beyond the truth's.
+- *flawed*: folded, crossing itself, with edges of three triangles, or open. A failure has no result.
+- *crease*: degrees at the rim beyond the truth's; *jump of H*: of mean curvature there, over the width, beyond the truth's. Both are medians; CPU seconds and
+  memory, too, which are of the call, of command lines with reading and writing.
+
+On exact surfaces triangles themselves are some .05 % off.
 """

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
-from typing import NamedTuple
 
 import manifold3d
 import numpy as np
 
+from .blends import Blend
 from .meshes import Mesh, Points
 from .scans import read_off
 from .surfaces import between
@@ -44,19 +44,7 @@ def _refined(solid: manifold3d.Manifold) -> Mesh:
     return Mesh(np.asarray(made.vert_properties, float)[:, :3], np.asarray(made.tri_verts, np.int64))
 
 
-class Rounded(NamedTuple):
-    """A part, the vertices along its edge in their order, the radius, and the part with the edge rounded by a ball of it."""
-
-    name: str
-    sharp: Mesh
-    edge: list[int]
-    radius: float
-    rounded: Mesh
-    #: The triangles of `rounded` on the rounding.
-    wanted: np.ndarray
-
-
-def rounded() -> Iterator[Rounded]:
+def rounded() -> Iterator[Blend]:
     """A straight edge and a rim, outside and inside: inside is the same surface from its other side."""
     for shape, sweep in (("edge", _extruded), ("rim", _revolved)):
         sharp_mesh, edge = sweep(_profile(0.0))
@@ -66,7 +54,7 @@ def rounded() -> Iterator[Rounded]:
         wanted = (across > -RADIUS) & (middles[:, 2] > -RADIUS)
         for side, turn in (("outside", 1), ("inside", -1)):
             meshes = (Mesh(mesh.vertices, mesh.faces[:, ::turn]) for mesh in (sharp_mesh, round_mesh))
-            yield Rounded(f"{shape}-{side}", next(meshes), edge, RADIUS, next(meshes), wanted)
+            yield Blend(f"{shape}-{side}", next(meshes), edge, RADIUS, next(meshes), wanted)
 
 
 def _profile(radius: float) -> Points:

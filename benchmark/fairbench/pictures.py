@@ -30,9 +30,9 @@ class Chosen(NamedTuple):
 
 def chosen(rows: list[Row], own: str) -> list[Chosen]:
     """The worst and the best of each class, by how far they are from the truth beside the nearest other."""
-    by_case: dict[str, list[Row]] = defaultdict(list)
+    by_case: dict[tuple[str, int], list[Row]] = defaultdict(list)
     for one in rows:
-        by_case[one.case].append(one)
+        by_case[one.problem()].append(one)
     classes: dict[tuple[str, str], list[tuple[float, Chosen]]] = defaultdict(list)
     for some in by_case.values():
         mine = next((one for one in some if one.program == own), None)

@@ -76,3 +76,34 @@ def test_files_come_back(tmp_path):
     write_ply(tmp_path / "mesh.ply", mesh)
     again = read_ply(tmp_path / "mesh.ply")
     assert np.array_equal(again.vertices, mesh.vertices) and np.array_equal(again.faces, mesh.faces)
+
+
+def pole_case(cap):
+    """A sphere whose top is to be found, and the mesh with the top moved to heights that a function gives of the distance from the axis."""
+    mesh = mesh_of(SPHERE, 0.08, "regular", seeded("pole", 1))
+    part = mesh.corners().mean(axis=1)[:, 2] > 0.8
+    case = hole("pole", "exact", mesh, part, SPHERE)
+    inner = np.setdiff1d(np.unique(mesh.faces[part]), np.unique(mesh.faces[~part]))
+    vertices = mesh.vertices.copy()
+    rim = np.intersect1d(mesh.faces[part], mesh.faces[~part])
+    edge = np.hypot(*mesh.vertices[rim, :2].T).mean()
+    vertices[inner, 2] = mesh.vertices[rim, 2].mean() + cap(np.hypot(*vertices[inner, :2].T)) - cap(edge)
+    return case, Mesh(vertices, mesh.faces)
+
+
+def test_a_jump_of_mean_curvature_is_measured():
+    for radius in (0.8, 2.0):
+        case, result = pole_case(lambda r, radius=radius: np.sqrt(radius**2 - r**2))
+        assert measured(case, result).jump / case.width() == pytest.approx(abs(1 / radius - 1), rel=0.1)
+
+
+def test_triangles_that_go_through_others_are_counted():
+    case, result = pole_case(lambda r: -3 * r)
+    assert measured(case, result).crossings == 0
+    # The top pushed through the bottom.
+    vertices = result.vertices.copy()
+    vertices[np.argmax(result.vertices[:, 2] + (np.hypot(*result.vertices[:, :2].T) < 1e-9)), 2] = -1.5
+    pushed = measured(case, Mesh(vertices, result.faces))
+    assert 3 <= pushed.crossings <= 8 and pushed.tangled == 0
+    twice = Mesh(result.vertices, np.vstack([result.faces, result.faces[np.flatnonzero(case.wanted)[:1]]]))
+    assert measured(case, twice).tangled == 3
