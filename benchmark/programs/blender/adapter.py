@@ -6,6 +6,8 @@ import numpy as np
 from fairbench.adapter import Answer, RefusedError, Task, main
 from fairbench.meshes import boundary_edges, loops
 
+#: Faces whose angles are below a degree are flat, in radians. Half and double give the same.
+FLAT = 0.0175
 #: New edges are cut in two that are so many times as long as those around the hole; LONGEST_NOTE
 LONGEST = 1.5
 #: Each halves the longest edges. NOTE
@@ -78,14 +80,21 @@ def run(task: Task) -> Answer:
         edited(made, at_boundary(ends), lambda: bpy.ops.mesh.bridge_edge_loops(number_cuts=8, interpolation="SURFACE"))
         sculpted(made, are_new(made, task))
     elif task.kind == "round":
-        ends = set(task.told["edge"])
-        is_sharp = lambda edge: all(v.index in ends for v in edge.verts)  # noqa: E731
-        edited(made, is_sharp, lambda: bpy.ops.mesh.bevel(offset=task.told["radius"], segments=16, profile=0.5, clamp_overlap=False))
+        bevelled(made, task)
+        return arrays(made)
     elif task.kind == "fair":
         sculpted(made, np.isin(np.arange(len(task.vertices)), task.told["free"]))
     else:
         raise RefusedError("not one of its tasks")
     return exactly(task, arrays(made))
+
+
+def bevelled(made, task: Task) -> None:
+    """Limited Dissolve makes one face of flat triangles, as Bevel folds those over that are narrower than its radius."""
+    edited(made, lambda edge: True, lambda: bpy.ops.mesh.dissolve_limited(angle_limit=FLAT))
+    ends = set(map(tuple, task.vertices[task.told["edge"]].astype(np.float32).tolist()))
+    is_sharp = lambda edge: all(tuple(v.co) in ends for v in edge.verts)  # noqa: E731
+    edited(made, is_sharp, lambda: bpy.ops.mesh.bevel(offset=task.told["radius"], segments=16, profile=0.5, clamp_overlap=False))
 
 
 def filled(made, task: Task) -> None:
