@@ -97,11 +97,11 @@ def _boundary(faces: NDArray[np.int64]) -> list[tuple[int, int]]:
     return [(int(loop[k]), int(loop[(k + 1) % len(loop)])) for loop in loops(faces) for k in range(len(loop))]
 
 
-def place(mesh: Mesh, radius: float, random: np.random.Generator) -> Mask | None:
-    """A disc of triangles at a random vertex; none after a hundred trials."""
+def place(mesh: Mesh, radius: float, random: np.random.Generator, centres: Points | None = None) -> Mask | None:
+    """A disc of triangles at a random vertex, or at one of some places; none after a hundred trials."""
+    some = mesh.vertices[np.unique(mesh.faces)] if centres is None else centres
     for _ in range(100):
-        centre = mesh.vertices[random.choice(np.unique(mesh.faces))]
-        part = around(mesh, centre, radius)
+        part = around(mesh, random.choice(some), radius)
         if is_disc(mesh, part):
             return part
     return None
@@ -202,16 +202,16 @@ def of_scan(name: str, mesh: Mesh, seed: int) -> Iterator[Case]:
 
 
 def of_part(name: str, mesh: Mesh, seed: int) -> Iterator[Case]:
-    """A hole across a sharp edge."""
+    """A hole and a region across sharp edges."""
     random = seeded(name, seed)
     first, second, angles = edge_angles(mesh)
-    at_edge = np.unique(np.r_[first[angles > 40], second[angles > 40]])
-    for _ in range(100):
-        centre = mesh.corners()[random.choice(at_edge)].mean(axis=0)
-        part = around(mesh, centre, mesh.diagonal() / 10)
-        if is_disc(mesh, part):
-            yield hole(name, "sharp", mesh, part, None)
-            return
+    at_edge = mesh.corners()[np.unique(np.r_[first[angles > 40], second[angles > 40]])].mean(axis=1)
+    part = place(mesh, mesh.diagonal() / 10, random, at_edge)
+    if part is not None:
+        yield hole(name, "sharp", mesh, part, None)
+    part = place(mesh, mesh.diagonal() / 10, random, at_edge)
+    if part is not None:
+        yield crumpled(name, "sharp", mesh, part, None, random)
 
 
 def rounded(seed: int) -> Iterator[Case]:

@@ -43,13 +43,14 @@ class Mesh(NamedTuple):
 
 
 def write_ply(path: Path, mesh: Mesh) -> None:
-    """Binary, in double precision."""
+    """Binary: coordinates in single precision if that loses nothing, else in double."""
+    is_single = (mesh.vertices == mesh.vertices.astype("<f4")).all()
     head = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(mesh.vertices)}\n"
-    head += "".join(f"property double {axis}\n" for axis in "xyz")
+    head += "".join(f"property {'float' if is_single else 'double'} {axis}\n" for axis in "xyz")
     head += f"element face {len(mesh.faces)}\nproperty list uchar int vertex_indices\nend_header\n"
     rows = np.empty(len(mesh.faces), [("count", "u1"), ("corners", "<i4", 3)])
     rows["count"], rows["corners"] = 3, mesh.faces
-    path.write_bytes(head.encode() + mesh.vertices.astype("<f8").tobytes() + rows.tobytes())
+    path.write_bytes(head.encode() + mesh.vertices.astype("<f4" if is_single else "<f8").tobytes() + rows.tobytes())
 
 
 def read_ply(path: Path) -> Mesh:
@@ -57,9 +58,10 @@ def read_ply(path: Path) -> Mesh:
     data = path.read_bytes()
     head, body = data.split(b"end_header\n", 1)
     counts = [int(line.split()[2]) for line in head.splitlines() if line.startswith(b"element")]
-    vertices = np.frombuffer(body, "<f8", 3 * counts[0]).reshape(-1, 3)
-    rows = np.frombuffer(body[24 * counts[0] :], np.dtype([("count", "u1"), ("corners", "<i4", 3)]), counts[1])
-    return Mesh(vertices.copy(), rows["corners"].astype(np.int64))
+    number = np.dtype("<f4" if b"property float x" in head else "<f8")
+    vertices = np.frombuffer(body, number, 3 * counts[0]).reshape(-1, 3)
+    rows = np.frombuffer(body[3 * number.itemsize * counts[0] :], np.dtype([("count", "u1"), ("corners", "<i4", 3)]), counts[1])
+    return Mesh(vertices.astype(float), rows["corners"].astype(np.int64))
 
 
 def half_edges(faces: Faces) -> Faces:

@@ -24,7 +24,7 @@ FAMILIES = {
     "rim": "Holes with noisy rims",
     "tube": "Two ends of a tube to be joined",
     "scan": "Places of scans and sculptures, drawn by lot",
-    "sharp": "Holes across sharp edges of parts",
+    "sharp": "Holes and regions across sharp edges of parts",
     "blend": "Edges to be rounded: straight, round, and where booleans left them",
 }
 

@@ -30,6 +30,10 @@ def sharp(data: Path) -> Iterator[tuple[str, Mesh]]:
         "block-with-bore": block - rod,
         "block-with-rod": block + rod,
         "ball-cut": ball - block.translate((0.8, 0.7, 0.6)),
+        "prism": manifold3d.Manifold.cylinder(1.4, 0.8, circular_segments=6, center=True),
+        "cone": manifold3d.Manifold.cylinder(1.4, 0.8, 0.4, circular_segments=64, center=True),
+        "step": block - block.translate((0.8, 0, 0.6)),
+        "groove": block - manifold3d.Manifold.cube((0.6, 2, 0.6), True).translate((0, 0, 0.6)),
         "rods-crossed": rod + rod.rotate((90, 0, 0)) + rod.rotate((0, 90, 0)),
     }
     for name, solid in solids.items():

@@ -27,10 +27,10 @@ SCANS = (
 
 
 def read_off(path: Path) -> Mesh:
-    """An OFF file of triangles."""
+    """An OFF file of triangles, to single precision, as scanners write."""
     words = path.read_text(encoding="utf-8", errors="replace").split()
     count, faces = int(words[1]), int(words[2])
-    vertices = np.array(words[4 : 4 + 3 * count], float).reshape(-1, 3)
+    vertices = np.array(words[4 : 4 + 3 * count], np.float32).astype(float).reshape(-1, 3)
     corners = np.array(words[4 + 3 * count :][: 4 * faces], np.int64).reshape(-1, 4)
     return Mesh(vertices, corners[:, 1:])
 
