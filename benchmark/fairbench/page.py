@@ -39,8 +39,9 @@ def page(rows: list[Row], programs: list[Program], versions: dict[str, str], dra
         parts.append(f"## {task.capitalize()}: {FAMILIES[family]}\n\n{table(some)}")
         for each, line in drawn.items():
             if (each.own.family, each.own.task) == (family, task):
-                parts.append(f"The {each.label} for fairmesh beside others, {each.own.case}:\n\n{line}\n")
-    parts.append(words(rows))
+                whose = "for fairmesh beside others" if each.own.program == OWN else f"of {each.own.program}"
+                parts.append(f"The {each.label} {whose}, {each.own.case}:\n\n{line}\n")
+    parts += [words(rows), failures(rows)]
     parts.append("## Programs\n\n" + lines(["program", "version", "how", "its word of success"], of_programs(programs, versions)))
     return "\n".join(parts)
 
@@ -154,12 +155,28 @@ def words(rows: list[Row]) -> str:
     return "## Whether their word is true\n\nGood is defined above. Programs that say nothing are not listed.\n\n" + lines(head, told)
 
 
+def failures(rows: list[Row]) -> str:
+    """How runs without a result ended."""
+    by_end: dict[tuple[str, str, str], list[Row]] = defaultdict(list)
+    for one in rows:
+        if one.rms is None:
+            by_end[one.program, one.task, one.ended].append(one)
+    told = [[*key, str(len(some)), f"{some[0].case}, {some[0].seed}", _plain(some[0].why)] for key, some in sorted(by_end.items())]
+    return "## Failures\n\n" + lines(["program", "task", "how it ended", "runs", "the first", "its words"], told)
+
+
+def _plain(text: str) -> str:
+    """On one line of a table."""
+    return " ".join(text.replace("|", "/").replace("<", "&lt;").split())
+
+
 HEAD = """# Benchmark of hole filling and fairing
 
 Written by `benchmark/run.sh` ([how it works](../benchmark/README.md)): {cases} cases with a truth, {runs} runs, seeds {seeds}.
 
 - *rms*: distances from the result to the truth and back, root mean square over the area, in per cent of the width of the hole or region; of several cases
-  the geometric mean. A failure counts as 100. *seeds*: the same of each seed by itself, the least and the largest; the rank likewise.
+  the geometric mean. A failure counts as 100. *seeds*: the same of each seed by itself, the least and the largest; the rank likewise. Ties have one rank,
+  and are all *nearest*.
 - *good*: nearer than 1 %, or three times as far as the nearest one; sound, and with a crease at the rim of at most 10 degrees beyond the truth's.
 - *flawed*: folded, crossing itself, with edges of three triangles, or open. A failure has no result.
 - *crease*: degrees at the rim beyond the truth's; *jump of H*: of mean curvature there, over the width, beyond the truth's. Both are medians; CPU seconds and

@@ -21,7 +21,7 @@ TILE = "240x210"
 
 
 class Chosen(NamedTuple):
-    """A case to be shown, of fairmesh and of the nearest other program."""
+    """A case to be shown, of fairmesh and of the nearest other program; where fairmesh does not take part, of the nearest alone."""
 
     label: str
     own: Row
@@ -29,18 +29,18 @@ class Chosen(NamedTuple):
 
 
 def chosen(rows: list[Row], own: str) -> list[Chosen]:
-    """The worst and the best of each class, by how far they are from the truth beside the nearest other."""
+    """The worst and the best of each class, by how far fairmesh is from the truth beside the nearest other."""
     by_case: dict[tuple[str, int], list[Row]] = defaultdict(list)
     for one in rows:
         by_case[one.problem()].append(one)
     classes: dict[tuple[str, str], list[tuple[float, Chosen]]] = defaultdict(list)
     for some in by_case.values():
         mine = next((one for one in some if one.program == own), None)
-        other = min((one for one in some if not one.program.startswith("fairmesh")), key=Row.error, default=None)
-        if mine is None:
-            continue
-        beside = mine.error() / other.error() if other is not None else mine.error()
-        classes[mine.family, mine.task].append((beside, Chosen("", mine, other)))
+        others = [one for one in some if not one.program.startswith("fairmesh")]
+        other = min(others, key=Row.error) if others else None
+        shown = Chosen("", mine, other) if mine is not None else Chosen("", other, None)
+        beside = shown.own.error() / shown.other.error() if shown.other is not None else shown.own.error()
+        classes[shown.own.family, shown.own.task].append((beside, shown))
     found = []
     for some_chosen in classes.values():
         in_order = sorted(some_chosen, key=lambda each: each[0])

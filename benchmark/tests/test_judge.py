@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from fairbench.judge import Row, is_good, is_sound
-from fairbench.page import losses, words
+from fairbench.page import failures, losses, words
+from fairbench.pictures import chosen
 from fairbench.standings import standings
 
 
@@ -39,3 +40,16 @@ def test_losses_and_false_words_are_told():
     assert "| one, 1 | 2 | 1 | b | 2 | done |" in losses(rows)
     far = [run("fairmesh g1", 0.5, says_success=True), run("b", 0.02), run("fairmesh g1", 0.001, case="two", says_success=False), run("b", 0.02, case="two")]
     assert "| fairmesh g1 | 1 | 1 | 1 | 1 |" in words(far)
+
+
+def test_failures_count_and_are_told_with_their_words():
+    rows = [run("a", 0.01), run("b", None, ended="refused", why="no | loop\nhere"), run("b", None, case="two", ended="out of time")]
+    assert standings(rows)[1].mean == 1.0
+    assert "| b | fill | refused | 1 | one, 1 | no / loop here |" in failures(rows)
+    assert "| b | fill | out of time | 1 | two, 1 |  |" in failures(rows)
+
+
+def test_where_fairmesh_does_not_take_part_others_are_shown():
+    rows = [run("a", 0.01), run("b", 0.02), run("a", 0.03, case="two"), run("b", 0.025, case="two")]
+    shown = {each.label: each.own for each in chosen(rows, "fairmesh g1")}
+    assert (shown["best"].case, shown["best"].program, shown["worst"].case, shown["worst"].program) == ("one", "a", "two", "b")
