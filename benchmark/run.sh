@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs the benchmark, and writes docs/benchmark.md and benchmark/results.json. Installs what it needs (Debian 12 with Rust): meshes of Debian's
-# libcgal-demo, the programs from PyPI and those in C++ from Debian's headers, into target/benchmark.
+# libcgal-demo, the programs from PyPI, CGAL's headers, and from GitHub PMP, into target/benchmark.
 #   benchmark/run.sh                            everything, in about half an hour on two cores
 #   benchmark/run.sh --only fairmesh --quick    a third of the cases, compared with the committed results
 #   benchmark/run.sh test                       tests of the measures
@@ -31,11 +31,27 @@ environment() {
     fi
 }
 
-# compiled NAME FLAG...: benchmark/programs/NAME/main.cpp, compiled when it has changed.
-compiled() {
-    local source=benchmark/programs/$1/main.cpp made=$work/programs/$1
+# is_wanted NAME ARGUMENT...: whether --only is not there, or names it.
+is_wanted() {
+    local name=$1
     shift
-    [ "$made" -nt "$source" ] || g++ -std=c++17 -O2 -DNDEBUG "$source" -o "$made" "$@"
+    case "$*" in *--only*"$name"*) return 0 ;; *--only*) return 1 ;; esac
+}
+
+# compiled NAME FLAG...: benchmark/programs/NAME/main.cpp, compiled when it or off.hpp has changed.
+compiled() {
+    local source=benchmark/programs/$1/main.cpp made=$BUILT_PROGRAMS/$1
+    shift
+    if [ "$source" -nt "$made" ] || [ benchmark/programs/off.hpp -nt "$made" ]; then
+        g++ -std=c++17 -O2 -DNDEBUG -I/usr/include/eigen3 "$source" -o "$made" "$@"
+    fi
+}
+
+# The sources of PMP, which no registry has: FAIRMESH_PMP_SOURCE names a directory with them, else they are cloned.
+pmp_source() {
+    local source=${FAIRMESH_PMP_SOURCE:-$work/pmp-$PMP_VERSION}
+    [ -e "$source/src/pmp" ] || git clone -q --depth 1 --branch "$PMP_VERSION" https://github.com/pmp-library/pmp-library "$source" || return
+    echo "$source/src"
 }
 
 missing=()
@@ -58,7 +74,7 @@ common=()
 for program in benchmark/programs/*/; do
     [ -e "$program/requirements.txt" ] || continue
     if grep -q '^own_environment = true' "$program/program.toml"; then
-        case ",$*," in *,--only* | *" --only "*) continue ;; esac
+        is_wanted "$(basename "$program")" "$@" || continue
         environment "$(basename "$program")" "$program/requirements.txt"
     else
         common+=("$program/requirements.txt")
@@ -69,12 +85,16 @@ environment common benchmark/requirements.txt "${common[@]}"
 export PYTHONPATH=$PWD/benchmark
 python=$work/environments/common/bin/python
 if [ "${1:-}" = test ]; then exec "$python" -m pytest -q benchmark/tests; fi
-export BUILT_PROGRAMS=$work/programs
+export BUILT_PROGRAMS=$work/programs PMP_VERSION=3.0.0
 mkdir -p "$BUILT_PROGRAMS"
-case ",$*," in
-    *,--only* | *" --only "*) ;;
-    *) compiled cgal_headers -DCGAL_EIGEN3_ENABLED -I/usr/include/eigen3 -lgmp -lmpfr ;;
-esac
+if is_wanted cgal_headers "$@"; then compiled cgal_headers -DCGAL_EIGEN3_ENABLED -lgmp -lmpfr; fi
+if ! is_wanted pmp "$@"; then :; elif pmp=$(pmp_source); then
+    compiled pmp -DPMP_SCALAR_TYPE_64 "-I$pmp" "$pmp"/pmp/surface_mesh.cpp \
+        "$pmp"/pmp/algorithms/{hole_filling,fairing,laplace,normals,numerics,differential_geometry}.cpp
+else
+    echo "benchmark/run.sh: PMP is left out, as its source could not be cloned; FAIRMESH_PMP_SOURCE may name a directory with it" >&2
+    set -- "$@" --only "$(cd benchmark/programs && printf '%s\n' */ | tr -d / | grep -vx pmp | paste -sd,)"
+fi
 cargo build --release --locked --quiet -p fairmesh-cli
 FAIRMESH_PROGRAM=$(cd "${CARGO_TARGET_DIR:-target}" && pwd)/release/fairmesh
 export FAIRMESH_PROGRAM
