@@ -30,10 +30,10 @@ mod solve;
 mod support;
 
 pub use fairing::{
-    Attempt, AttemptEnd, BoundaryCurvature, BoundaryNormals, Budget, Coincident, ComponentReport,
+    Attempt, AttemptEnd, BoundaryCurvature, BoundaryNormals, Budget, Coincident, ComponentReport, CreaseEnd,
     CurvatureContinuity, Discretization, Edit, Frame, InnerFairness, InteriorNormals, Intersections,
     LooseReason, Options, Outcome, OutputPrecision, Progress, ProgressCallback, Report, Seconds, Selection,
-    SelfIntersections, Solution, Solver, SolverKind, Target, fair, fair_with_progress,
+    SelfIntersections, Solution, Solver, SolverKind, Target, crease_ends, fair, fair_with_progress,
 };
 pub use holes::{
     BoundaryLoop, BridgeOptions, Bridged, Carried, Erased, FillOptions, FillOutcome, Filled, FlatReason,

@@ -37,7 +37,18 @@ pub(crate) struct EightRingSamples {
 impl EightRingSamples {
     /// Those of boundary vertex `v` (local number).
     pub(crate) fn gather(&mut self, outside: &OutsideNeighbours, x: &[Vector3<f64>], v: usize) {
-        outside.disc(v as u32, RINGS_WIDE, &mut self.found, &mut self.marks);
+        self.gather_within(RINGS_WIDE, outside, x, v);
+    }
+
+    /// Those within so many rings.
+    pub(crate) fn gather_within(
+        &mut self,
+        rings: usize,
+        outside: &OutsideNeighbours,
+        x: &[Vector3<f64>],
+        v: usize,
+    ) {
+        outside.disc(v as u32, rings, &mut self.found, &mut self.marks);
         self.edges.clear();
         self.edges
             .extend(self.found.iter().map(|&j| one(&(x[j as usize] - x[v]))));

@@ -12,6 +12,7 @@ mod normals;
 mod options;
 mod prepared;
 mod report;
+mod sharp;
 mod solver;
 mod whole_intersections;
 mod whole_solution;
@@ -47,6 +48,7 @@ pub use report::{
     Attempt, AttemptEnd, ComponentReport, LooseReason, Outcome, Progress, ProgressCallback, Report, Seconds,
     SelfIntersections, Solution,
 };
+pub use sharp::{CreaseEnd, crease_ends};
 pub use solver::Solver;
 use whole_solution::whole;
 pub(crate) use workers::Workers;

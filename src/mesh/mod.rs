@@ -19,6 +19,7 @@ pub(crate) mod input;
 mod islands;
 pub(crate) mod numbering;
 pub(crate) mod outside_neighbours;
+pub(crate) mod parted;
 pub(crate) mod places;
 pub(crate) mod region;
 pub(crate) mod rings;

@@ -28,10 +28,14 @@ pub(crate) struct Marks(Vec<bool>);
 impl OutsideNeighbours {
     /// Those of a region, by local vertex number.
     pub(crate) fn new(region: &RegionMesh) -> Self {
-        let pairs =
-            outside_triangles(region).flat_map(|[a, b, c]| [(a, b), (a, c), (b, c), (b, a), (c, a), (c, b)]);
+        Self::of_triangles(region.vertex_ids.len(), outside_triangles(region))
+    }
+
+    /// Those along the edges of some triangles of so many vertices.
+    pub(crate) fn of_triangles(vertices: usize, triangles: impl Iterator<Item = [u32; 3]> + Clone) -> Self {
+        let pairs = triangles.flat_map(|[a, b, c]| [(a, b), (a, c), (b, c), (b, a), (c, a), (c, b)]);
         Self {
-            neighbour: Rows::collect(region.vertex_ids.len(), pairs),
+            neighbour: Rows::collect(vertices, pairs),
         }
     }
 

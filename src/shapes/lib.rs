@@ -16,6 +16,7 @@ mod blend;
 mod blend_start;
 mod chart;
 mod conjugate_gradients;
+mod creased;
 mod ellipsoid;
 mod ellipsoid_cap;
 mod harmonic_profile;
@@ -43,6 +44,7 @@ pub use blend::{
 };
 pub use blend_start::{BLEND_DISTANCE, BLEND_RADIUS};
 pub use chart::OUTSIDE;
+pub use creased::{Creased, creased};
 pub use ellipsoid::Ellipsoid;
 pub use ellipsoid_cap::ellipsoid_cap;
 pub use harmonic_profile::{HarmonicProfile, ProfileError};

@@ -28,6 +28,53 @@ pub(super) fn disc_chart(radius: f64, n: usize, sampling: Sampling, outside: usi
     cut(&points, &delaunay(&points), &free, outside)
 }
 
+/// A disc about `centre` whose triangulation has rays from the origin, at these angles in degrees, among its edges.
+pub(super) fn disc_chart_along(
+    rays: &[f64],
+    (centre, radius): ([f64; 2], f64),
+    n: usize,
+    sampling: Sampling,
+    outside: usize,
+) -> Chart<[f64; 2]> {
+    let mut disc = Disc {
+        radius,
+        rectangle: None,
+        h: 0.0,
+        reach: 0.0,
+    };
+    let count = lattice_count(n, sampling, &disc);
+    disc.h = (TAU * radius * radius / (3f64.sqrt() * count)).sqrt();
+    disc.reach = radius + margin(outside) * disc.h;
+    let directions: Vec<[f64; 2]> = rays
+        .iter()
+        .map(|ray| [ray.to_radians().cos(), ray.to_radians().sin()])
+        .collect();
+    let sampled = sample(&disc, sampling);
+    let mut points: Vec<[f64; 2]> = sampled
+        .iter()
+        .map(|p| [p[0] + centre[0], p[1] + centre[1]])
+        .collect();
+    // No vertex is within the circle over an edge of a ray, which is so an edge of the triangulation.
+    points.retain(|p| directions.iter().all(|d| from_ray(*p, *d) > 0.51 * disc.h));
+    points.push([0.0, 0.0]);
+    let steps = ((disc.reach + centre[0].hypot(centre[1])) / disc.h) as usize;
+    for d in &directions {
+        let along = (1..=steps).map(|k| d.map(|x| x * k as f64 * disc.h));
+        points.extend(along.filter(|p| (p[0] - centre[0]).hypot(p[1] - centre[1]) < disc.reach));
+    }
+    let free: Vec<bool> = points
+        .iter()
+        .map(|p| (p[0] - centre[0]).hypot(p[1] - centre[1]) < radius)
+        .collect();
+    cut(&points, &delaunay(&points), &free, outside)
+}
+
+/// The distance from the ray in this direction from the origin.
+fn from_ray(p: [f64; 2], d: [f64; 2]) -> f64 {
+    let along = (p[0] * d[0] + p[1] * d[1]).max(0.0);
+    (p[0] - along * d[0]).hypot(p[1] - along * d[1])
+}
+
 /// The rectangle with these half sides about the origin, triangulated; the rings outside stay within the half sides of `whole`.
 pub(super) fn rectangle_chart(
     half: [f64; 2],

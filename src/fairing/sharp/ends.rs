@@ -1,0 +1,236 @@
+//! Where creases of the surroundings arrive at the boundary of a region.
+//!
+//! The bend of one edge is none on a scan, whose every edge bends. So the surroundings are parted along the chain of edges that may be
+//! a crease, and tangent planes fitted on both sides of it: they have to differ by far more than the fits are uncertain, at two vertices
+//! one after the other.
+
+use nalgebra::Vector3;
+
+use super::outside::Outside;
+use super::sides::Sides;
+use crate::discrete::boundary_normals::angle;
+use crate::discrete::outside_fit::BESIDE;
+
+/// So many standard errors of the fits are no chance.
+const SIGNIFICANT: f64 = 6.0;
+/// Fits with larger standard errors tell nothing, degrees.
+const UNCERTAIN: f64 = 9.0;
+/// The edges of a crease bend by this part of the angle between the planes beside it: elsewhere the bends are not on the chain.
+const OF_EDGES: f64 = 0.5;
+/// A chain turns by no more than this from edge to edge, degrees.
+const TURN: f64 = 50.0;
+/// An edge that bends by less than this part of the angle asked for begins no chain.
+const FIRST_BEND: f64 = 0.5;
+
+/// A crease of the surroundings that arrives at the boundary of a region.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CreaseEnd {
+    /// The boundary vertex at which it arrives.
+    pub vertex: u32,
+    /// Unit tangent, into the region.
+    pub direction: [f64; 3],
+    /// Unit normals of the surface left and right of it.
+    pub normals: [[f64; 3]; 2],
+    /// The angle between them, degrees: above 0 on a ridge, below on a groove.
+    pub angle: f64,
+    /// The standard error of the angle, degrees.
+    pub error: f64,
+    /// The vertices outside along the crease, from `vertex` on.
+    pub chain: Vec<u32>,
+}
+
+/// The ends of creases of at least so many degrees at the boundary of the region of the free vertices, by their vertices. All triangles name
+/// vertices that exist.
+pub(crate) fn crease_ends(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    is_free: &[bool],
+    least: f64,
+) -> Vec<CreaseEnd> {
+    let outside = Outside::new(positions, triangles, is_free);
+    let boundary = (0..positions.len() as u32).filter(|&v| outside.is_boundary[v as usize]);
+    let found = boundary.filter_map(|v| end_at(&outside, v, least));
+    without_doubles(&outside, found.collect())
+}
+
+/// The crease that arrives at a boundary vertex; `None` also where several do: a corner.
+fn end_at(outside: &Outside<'_>, v: u32, least: f64) -> Option<CreaseEnd> {
+    let bends = |w: &u32| outside.bend(v, *w).abs() >= FIRST_BEND * least;
+    let first = outside.neighbours(v).into_iter().filter(bends);
+    let mut ends = first.filter_map(|w| along(outside, chain(outside, v, w), least));
+    let end = ends.next()?;
+    ends.next().is_none().then_some(end)
+}
+
+/// The end of a crease along these edges, if there is one.
+fn along(outside: &Outside<'_>, chain: Vec<u32>, least: f64) -> Option<CreaseEnd> {
+    let &[vertex, second, third, ..] = &chain[..] else {
+        return None;
+    };
+    let sides = Sides::new(outside, &chain);
+    let outward = outside.position(third) - outside.position(vertex);
+    let [left, right] = sides.fits(vertex, second)?;
+    let fold = Fold::of([left.normal, right.normal], [left.error, right.error], outward)?;
+    let [left, right] = sides.fits(second, third)?;
+    let next = Fold::of([left.normal, right.normal], [left.error, right.error], outward)?;
+    let bends = chain.windows(2).map(|step| outside.bend(step[0], step[1]));
+    let bend = bends.sum::<f64>() / (chain.len() - 1) as f64;
+    if !fold.holds(least, bend) || !next.holds(least, bend) {
+        return None;
+    }
+    Some(CreaseEnd {
+        vertex,
+        direction: fold.direction.into(),
+        normals: fold.normals.map(Into::into),
+        angle: fold.angle,
+        error: fold.error,
+        chain,
+    })
+}
+
+/// How the surface is folded at a vertex of a crease.
+struct Fold {
+    direction: Vector3<f64>,
+    normals: [Vector3<f64>; 2],
+    angle: f64,
+    error: f64,
+}
+
+impl Fold {
+    /// Between the planes left and right of the direction outward.
+    fn of([left, right]: [Vector3<f64>; 2], errors: [f64; 2], outward: Vector3<f64>) -> Option<Self> {
+        let along = left.cross(&right).try_normalize(1e-9)?;
+        let sign = along.dot(&outward).signum();
+        Some(Self {
+            direction: -along * sign,
+            normals: [right, left],
+            angle: sign * angle(&left, &right).to_degrees(),
+            error: libm::hypot(errors[0], errors[1]).to_degrees(),
+        })
+    }
+
+    /// Whether it is a crease of so many degrees, along edges that bend by `bend` in the mean.
+    fn holds(&self, least: f64, bend: f64) -> bool {
+        let size = self.angle.abs();
+        let certain = self.error <= UNCERTAIN && size >= SIGNIFICANT * self.error;
+        certain && size >= least && bend * self.angle.signum() >= OF_EDGES * size
+    }
+}
+
+/// The edges that bend most, one after the other, from `v` over `w` as far as fits reach, or until they meet the boundary.
+fn chain(outside: &Outside<'_>, v: u32, w: u32) -> Vec<u32> {
+    let mut chain = vec![v, w];
+    let sign = outside.bend(v, w).signum();
+    let straightest = libm::cos(TURN.to_radians());
+    while chain.len() < BESIDE + 2 {
+        let [before, last] = [chain[chain.len() - 2], chain[chain.len() - 1]];
+        if outside.is_boundary[last as usize] {
+            break;
+        }
+        let direction = (outside.position(last) - outside.position(before)).normalize();
+        let sharpness = |next: u32| {
+            let step = (outside.position(next) - outside.position(last)).normalize();
+            let straight = step.dot(&direction);
+            let bend = outside.bend(last, next) * sign;
+            (straight > straightest && bend > 0.0).then_some((straight * bend, next))
+        };
+        let neighbours = outside.neighbours(last).into_iter().filter_map(sharpness);
+        match neighbours.max_by(|a, b| a.0.total_cmp(&b.0)) {
+            Some((_, next)) => chain.push(next),
+            None => break,
+        }
+    }
+    chain
+}
+
+/// Of ends that are within two edges of each other's chains the most certain one.
+fn without_doubles(outside: &Outside<'_>, ends: Vec<CreaseEnd>) -> Vec<CreaseEnd> {
+    let certainty = |end: &CreaseEnd| end.angle.abs() / end.error.max(1e-9);
+    let near = |end: &CreaseEnd| {
+        let around = end.chain.iter().flat_map(|&v| outside.within(v, 1)).flatten();
+        let mut around: Vec<u32> = around.collect();
+        around.sort_unstable();
+        around
+    };
+    let near: Vec<Vec<u32>> = ends.iter().map(near).collect();
+    let meet = |i: usize, j: usize| near[i].iter().any(|v| near[j].binary_search(v).is_ok());
+    let is_best = |&i: &usize| {
+        let better = |j: usize| certainty(&ends[j]) > certainty(&ends[i]);
+        !(0..ends.len()).any(|j| j != i && meet(i, j) && better(j))
+    };
+    (0..ends.len()).filter(is_best).map(|i| ends[i].clone()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use fairmesh_shapes::{Creased, Sampling, Shape, creased, plate, sphere_cap};
+
+    fn piece(of: Creased, seed: u64) -> Shape {
+        creased(of, ([0.1, 0.05], 0.5), 250, Sampling::Irregular { seed }, 6)
+    }
+
+    fn ends_of(shape: &Shape, noise: f64, seed: u64) -> Vec<CreaseEnd> {
+        let mut all = shape.clone();
+        all.free.fill(true);
+        crease_ends(&all.noise(seed, noise), &shape.triangles, &shape.free, 20.0)
+    }
+
+    #[test]
+    fn an_edge_of_two_planes_has_exact_ends() {
+        for degrees in [30.0, -30.0, 90.0, -90.0, 150.0] {
+            for seed in 1..=5 {
+                let ends = ends_of(&piece(Creased::Wedge(degrees), seed), 0.0, 0);
+                assert_eq!(ends.len(), 2, "{degrees} {seed}");
+                for end in &ends {
+                    assert_near!(end.angle, degrees, 1e-9);
+                    assert_near!(end.direction[0].abs(), 1.0, 1e-12);
+                }
+            }
+        }
+    }
+
+    /// The tangents of the rims are off by .03 degrees at most.
+    #[test]
+    fn edges_of_curved_solids_have_ends_and_corners_have_three() {
+        let solids = [
+            (Creased::CappedCylinder, 2),
+            (Creased::Cone(30.0), 2),
+            (Creased::Tee(0.6), 2),
+            (Creased::CubeCorner, 3),
+        ];
+        for (of, count) in solids {
+            for seed in 1..=5 {
+                let shape = piece(of, seed);
+                let ends = ends_of(&shape, 0.0, 0);
+                assert_eq!(ends.len(), count, "{of:?} {seed}");
+                for end in ends
+                    .iter()
+                    .filter(|_| matches!(of, Creased::CappedCylinder | Creased::Cone(_)))
+                {
+                    let [x, y, _] = shape.positions[end.vertex as usize];
+                    assert_near!(end.direction[0] * x + end.direction[1] * y, 0.0, 5e-4);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn noise_hides_no_right_angle_and_makes_none() {
+        for seed in 1..=5 {
+            let ends = ends_of(&piece(Creased::Wedge(90.0), seed), 0.1, seed);
+            assert_eq!(ends.len(), 2, "{seed}");
+            for noise in [0.1, 0.2, 0.3, 0.5] {
+                let mut smooth = [
+                    sphere_cap(60.0, 600, Sampling::Irregular { seed }, 6),
+                    plate(1_200, Sampling::Irregular { seed }),
+                ];
+                let within = |p: &[f64; 3]| p[0].hypot(p[1]) < 0.5;
+                smooth[1].free = smooth[1].positions.iter().map(within).collect();
+                for shape in &smooth {
+                    assert_eq!(ends_of(shape, noise, seed), [], "{noise} {seed}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! The surface around a region, as creases are looked for in it.
+
+use nalgebra::Vector3;
+
+use crate::discrete::boundary_normals::angle;
+use crate::mesh::rows::Rows;
+
+/// The triangles that have no free vertex.
+pub(super) struct Outside<'a> {
+    positions: &'a [[f64; 3]],
+    triangles: &'a [[u32; 3]],
+    /// The outside triangles at each vertex.
+    at: Rows<u32>,
+    /// The fixed vertices of triangles with a free one.
+    pub(super) is_boundary: Vec<bool>,
+}
+
+impl<'a> Outside<'a> {
+    /// Of a mesh whose triangles name vertices that exist.
+    pub(super) fn new(positions: &'a [[f64; 3]], triangles: &'a [[u32; 3]], is_free: &[bool]) -> Self {
+        let has_free = |tri: &[u32; 3]| tri.iter().any(|&v| is_free[v as usize]);
+        let mut is_boundary = vec![false; positions.len()];
+        for tri in triangles.iter().filter(|tri| has_free(tri)) {
+            let fixed = tri.iter().filter(|v| !is_free[**v as usize]);
+            fixed.for_each(|&v| is_boundary[v as usize] = true);
+        }
+        let corners = (0..)
+            .zip(triangles)
+            .filter(|(_, tri)| !has_free(tri))
+            .flat_map(|(t, tri)| tri.map(|v| (v, t)));
+        Self {
+            positions,
+            triangles,
+            at: Rows::collect(positions.len(), corners),
+            is_boundary,
+        }
+    }
+
+    pub(super) fn position(&self, v: u32) -> Vector3<f64> {
+        Vector3::from(self.positions[v as usize])
+    }
+
+    /// The triangles at a vertex.
+    pub(super) fn triangles_at(&self, v: u32) -> impl Iterator<Item = [u32; 3]> + '_ {
+        self.at
+            .row(v as usize)
+            .iter()
+            .map(|&t| self.triangles[t as usize])
+    }
+
+    /// The vertices that edges lead to from `v`, ascending.
+    pub(super) fn neighbours(&self, v: u32) -> Vec<u32> {
+        let mut found: Vec<u32> = self.triangles_at(v).flatten().filter(|w| *w != v).collect();
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    /// The angle in degrees between the triangles on both sides of an edge, above 0 on a ridge; 0 where there are not two.
+    pub(super) fn bend(&self, a: u32, b: u32) -> f64 {
+        let (Some(left), Some(right)) = (self.normal_left(a, b), self.normal_left(b, a)) else {
+            return 0.0;
+        };
+        let edge = self.position(b) - self.position(a);
+        let size = angle(&left, &right).to_degrees();
+        size.copysign(left.cross(&right).dot(&edge))
+    }
+
+    /// The unit normal of the triangle that runs from `a` to `b`.
+    fn normal_left(&self, a: u32, b: u32) -> Option<Vector3<f64>> {
+        let runs = |tri: &[u32; 3]| (0..3).any(|k| [tri[k], tri[(k + 1) % 3]] == [a, b]);
+        let [p, q, r] = self.triangles_at(a).find(runs)?.map(|v| self.position(v));
+        (q - p).cross(&(r - p)).try_normalize(f64::MIN_POSITIVE)
+    }
+
+    /// The triangles within so many rings around a vertex.
+    pub(super) fn within(&self, v: u32, rings: usize) -> Vec<[u32; 3]> {
+        let mut vertices = vec![v];
+        let mut ids: Vec<u32> = Vec::new();
+        for _ in 0..rings {
+            ids = vertices
+                .iter()
+                .flat_map(|&v| self.at.row(v as usize))
+                .copied()
+                .collect();
+            ids.sort_unstable();
+            ids.dedup();
+            vertices = ids.iter().flat_map(|&t| self.triangles[t as usize]).collect();
+            vertices.sort_unstable();
+            vertices.dedup();
+        }
+        let is_placed = |tri: &[u32; 3]| {
+            tri.iter()
+                .all(|&v| self.position(v).iter().all(|x| x.is_finite()))
+        };
+        let all = ids.iter().map(|&t| self.triangles[t as usize]);
+        all.filter(is_placed).collect()
+    }
+}

@@ -1,0 +1,112 @@
+//! The tangent planes on both sides of a crease.
+
+use nalgebra::Vector3;
+
+use super::outside::Outside;
+use crate::discrete::boundary_normals::{angle, average};
+use crate::discrete::eight_ring_fit::EightRingSamples;
+use crate::discrete::outside_fit::{BESIDE as RINGS, Fit, Samples, THIRD_BESIDE};
+use crate::mesh::OutsideNeighbours;
+use crate::mesh::parted::part;
+
+/// A finer fit is off the coarse one by no more of its standard errors. On a cone the quadric's bias is four of them.
+const AGREES: f64 = 6.0;
+/// Where the coarse fit is less certain than this (radians, one degree), there is noise, which a finer one follows.
+const SMOOTH: f64 = 0.0175;
+/// A plane through fewer vertices is none.
+const FEWEST: usize = 4;
+/// Vertices stand off a plane by no more than this part of their distance.
+const FLAT: f64 = 1e-3;
+
+/// A neighbourhood, parted along a chain of edges, in numbers of its own.
+pub(super) struct Sides {
+    /// The mesh's number of each vertex; copies have that of what they are copies of.
+    ids: Vec<u32>,
+    x: Vec<Vector3<f64>>,
+    triangles: Vec<[u32; 3]>,
+    neighbours: OutsideNeighbours,
+}
+
+impl Sides {
+    /// The neighbourhood of the first vertices of a chain.
+    pub(super) fn new(outside: &Outside<'_>, chain: &[u32]) -> Self {
+        let around = outside.within(chain[0], RINGS + 1);
+        let mut ids: Vec<u32> = around.iter().flatten().copied().collect();
+        ids.sort_unstable();
+        ids.dedup();
+        let local = |v: u32| ids.binary_search(&v).ok().map(|l| l as u32);
+        let number = |v: u32| local(v).unwrap_or(0);
+        let triangles: Vec<[u32; 3]> = around.iter().map(|tri| tri.map(number)).collect();
+        let cut: Vec<[u32; 2]> = chain
+            .windows(2)
+            .filter_map(|step| Some([local(step[0])?, local(step[1])?]))
+            .collect();
+        let parted = part(ids.len(), &triangles, &cut);
+        let copies: Vec<u32> = parted.copy_of.iter().map(|&v| ids[v as usize]).collect();
+        ids.extend(copies);
+        Self {
+            neighbours: OutsideNeighbours::of_triangles(ids.len(), parted.triangles.iter().copied()),
+            triangles: parted.triangles,
+            x: ids.iter().map(|&v| outside.position(v)).collect(),
+            ids,
+        }
+    }
+
+    /// The fits at `from` left and right of the edge to `to`; `None` where a side cannot be told.
+    pub(super) fn fits(&self, from: u32, to: u32) -> Option<[Fit; 2]> {
+        let left = self.copy_at(from, |tri, k| tri[(k + 1) % 3], to)?;
+        let right = self.copy_at(from, |tri, k| tri[(k + 2) % 3], to)?;
+        if left == right {
+            return None;
+        }
+        Some([self.fit(left)?, self.fit(right)?])
+    }
+
+    /// The copy of `from` in the triangle that has `to` in its `other` corner.
+    fn copy_at(&self, from: u32, other: impl Fn(&[u32; 3], usize) -> u32, to: u32) -> Option<u32> {
+        let is = |v: u32, id: u32| self.ids[v as usize] == id;
+        self.triangles.iter().find_map(|tri| {
+            let k = (0..3).find(|&k| is(tri[k], from) && is(other(tri, k), to))?;
+            Some(tri[k])
+        })
+    }
+
+    /// The fit to heights, which noise does not lead astray, or that to curvatures, if it is more certain and agrees with it; where there are
+    /// too few vertices, the plane of all triangles around, if they have one.
+    fn fit(&self, v: u32) -> Option<Fit> {
+        let start = average(&self.x, v as usize, &self.fan(v))?;
+        let mut heights = EightRingSamples::default();
+        heights.gather_within(RINGS, &self.neighbours, &self.x, v as usize);
+        let Some(coarse) = heights.fit(start) else {
+            return self.plane(v, start);
+        };
+        let mut samples = Samples::<RINGS>::default();
+        samples.gather(&self.neighbours, &self.x, v as usize, &mut Vec::new());
+        let agrees = |fine: &Fit| {
+            coarse.error < SMOOTH && angle(&fine.normal, &coarse.normal) <= AGREES * coarse.error
+        };
+        let fine = THIRD_BESIDE.fit(&samples, coarse.normal).filter(agrees);
+        fine.filter(|fine| fine.error < coarse.error).or(Some(coarse))
+    }
+
+    /// The plane at a vertex, where it goes through all neighbours' neighbours.
+    fn plane(&self, v: u32, normal: Vector3<f64>) -> Option<Fit> {
+        let mut near = Vec::new();
+        let _: [usize; 2] = self.neighbours.rings(v, &mut near);
+        let slope = |w: &u32| {
+            let e = self.x[*w as usize] - self.x[v as usize];
+            e.dot(&normal).abs() / e.norm()
+        };
+        let error = near.iter().map(slope).fold(0.0, f64::max);
+        (near.len() >= FEWEST && error < FLAT).then_some(Fit { normal, error })
+    }
+
+    /// The triangles at a vertex by their other corners.
+    fn fan(&self, v: u32) -> Vec<[u32; 2]> {
+        let corners = |tri: &[u32; 3]| {
+            let k = (0..3).find(|&k| tri[k] == v)?;
+            Some([tri[(k + 1) % 3], tri[(k + 2) % 3]])
+        };
+        self.triangles.iter().filter_map(corners).collect()
+    }
+}
