@@ -1,4 +1,4 @@
-"""MeshLab's own filters: Close Holes with refinement to the edges around, of the hole whose faces are selected; Laplacian smoothing of a selection."""
+"""MeshLab's own filters: Close Holes with refinement to the edges around, of the hole whose faces are selected; Taubin smoothing of a selection."""
 
 from importlib.metadata import version
 
@@ -26,11 +26,11 @@ def run(task: Task) -> Answer:
     if task.kind == "fill":
         closed(meshes, task)
     elif task.kind == "fair":
-        free = np.zeros(len(task.vertices))
-        free[task.told["free"]] = 1
-        meshes.add_mesh(pymeshlab.Mesh(task.vertices, task.faces, v_scalar_array=free))
-        meshes.compute_selection_by_condition_per_vertex(condselect="q > 0.5")
-        meshes.apply_coord_laplacian_smoothing(stepsmoothnum=100, cotangentweight=True, selected=True)
+        # Vertices whose faces are all selected are smoothed.
+        at_free = np.isin(task.faces, task.told["free"]).any(axis=1).astype(float)
+        meshes.add_mesh(pymeshlab.Mesh(task.vertices, task.faces, f_scalar_array=at_free))
+        meshes.compute_selection_by_condition_per_face(condselect="fq > 0.5")
+        meshes.apply_coord_taubin_smoothing(stepsmoothnum=30, selected=True)
     else:
         raise RefusedError("not one of its tasks")
     made = meshes.current_mesh()
