@@ -863,6 +863,10 @@ enum fairmesh_fill_reason
      * Faired, the patch would intersect itself or the mesh.
      */
     FAIRMESH_FILL_REASON_INTERSECTING = 36,
+    /**
+     * The boundary lies in a plane, which closes it, as asked.
+     */
+    FAIRMESH_FILL_REASON_PLANAR = 37,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -1892,6 +1896,10 @@ typedef struct fairmesh_fill_options {
      */
     uint32_t on_failure;
     /**
+     * A `fairmesh_cap`: what closes a loop that lies in a plane, to a thousandth of its diagonal, as where a part was cut off. Default: a fair patch.
+     */
+    uint32_t cap;
+    /**
      * Not 0: the patches are faired. Default: yes.
      */
     uint32_t fair;
@@ -1899,6 +1907,10 @@ typedef struct fairmesh_fill_options {
      * Not 0: the loops of the list `loops` only, also where it is empty: then nothing is filled but groups of loops that are joined.
      */
     uint32_t only_listed;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
     /**
      * Which of them get one patch together. Default: none.
      */

@@ -36,7 +36,7 @@ pub use fairing::{
     SelfIntersections, Solution, Solver, SolverKind, Target, crease_ends, fair, fair_with_progress,
 };
 pub use holes::{
-    BoundaryLoop, BridgeOptions, Bridged, Carried, Erased, FillOptions, FillOutcome, Filled, FlatReason,
+    BoundaryLoop, BridgeOptions, Bridged, Cap, Carried, Erased, FillOptions, FillOutcome, Filled, FlatReason,
     GapKind, Join, JoinReason, JoinSuggestion, LoopFilter, LoopKind, LoopReport, Loops, OnFailure,
     OpenReason, Parents, Place, RemeshOptions, Remeshed, Rim, RimReport, Roughness, TrimLimits, Trimmed,
     boundary_loops, boundary_loops_joined, bridge, bridge_with_progress, carry_over,

@@ -93,6 +93,8 @@ void add_patch_parameters(RichParameterList &list) {
                           "Larger patches become coarser, and the log says so.");
     list.addParam(RichEnum("on_failure", static_cast<int>(standard.on_failure), {"Best there is", "Flat", "Nothing"}, "If not fair",
                            "What a hole gets whose patch is creased, intersects something or is not fair."));
+    add_advanced<RichEnum>(list, "cap", static_cast<int>(standard.cap), QStringList{"Fair", "Plane"}, "Flat holes",
+                           "Plane: a boundary in a plane is closed by it, with a sharp edge.");
 }
 
 /** What filling has that bridging has not. */
@@ -128,6 +130,7 @@ std::vector<std::array<std::uint32_t, 2>> read_guides(const QString &text) {
 void read_patch_parameters(const RichParameterList &list, fairmesh::fill_options &fill) {
     fill.density = SAME_LENGTH * list.getFloat("density");
     if (list.hasParameter("max_new_vertices")) fill.max_new_vertices = at_least(list, "max_new_vertices", 0);
+    if (list.hasParameter("cap")) fill.cap = static_cast<std::uint32_t>(in_list(list, "cap", 2));
     fill.on_failure = static_cast<std::uint32_t>(in_list(list, "on_failure", 3));
 }
 

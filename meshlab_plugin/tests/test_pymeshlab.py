@@ -194,6 +194,7 @@ class Answers(Case):
         "target": {"minimal_energy": "Elastic sheet"},
         "boundary_normals": {"averaged": "Averaged"},
         "join": {"auto": "What belongs together", "none": "No"},
+        "cap": {"fair": "Fair", "flat": "Plane"},
         "on_failure": {"best": "Best there is", "flat": "Flat", "open": "Nothing"},
     }
     SAME = ("continuity", "tolerance", "max_iterations", "max_new_vertices", "relax_rim", "relax_within")

@@ -220,6 +220,8 @@ pub enum fairmesh_fill_reason {
     Unsound = 35,
     /// Faired, the patch would intersect itself or the mesh.
     Intersecting = 36,
+    /// The boundary lies in a plane, which closes it, as asked.
+    Planar = 37,
 }
 
 /// What kind of gap a boundary loop is. Numbers are never reused.
@@ -274,6 +276,17 @@ pub enum fairmesh_on_failure {
     Flat = 1,
     /// None: it is left open.
     Open = 2,
+}
+
+/// What closes a loop that lies in a plane. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_cap {
+    /// A fair patch, which continues the surroundings and bulges as they do.
+    Fair = 0,
+    /// The plane, with a sharp edge along the loop; loops that are in no plane get a fair patch.
+    Flat = 1,
 }
 
 /// A part of space. Numbers are never reused.

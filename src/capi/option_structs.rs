@@ -9,7 +9,7 @@ use super::status::CallResult;
 use super::types::*;
 use super::views::{Argument, Array, FieldPath, field, field_named, indices_in};
 use fairmesh::{
-    BridgeOptions, Discretization, FillOptions, InnerFairness, InteriorNormals, Intersections, OnFailure, Options, OutputPrecision,
+    BridgeOptions, Cap, Discretization, FillOptions, InnerFairness, InteriorNormals, Intersections, OnFailure, Options, OutputPrecision,
     RemeshOptions, Rim,
 };
 
@@ -110,10 +110,14 @@ pub struct fairmesh_fill_options {
     pub struct_size: u32,
     /// A `fairmesh_on_failure`: what a loop gets whose patch is no success. Default: the best surface there is.
     pub on_failure: u32,
+    /// A `fairmesh_cap`: what closes a loop that lies in a plane, to a thousandth of its diagonal, as where a part was cut off. Default: a fair patch.
+    pub cap: u32,
     /// Not 0: the patches are faired. Default: yes.
     pub fair: u32,
     /// Not 0: the loops of the list `loops` only, also where it is empty: then nothing is filled but groups of loops that are joined.
     pub only_listed: u32,
+    /// Zero.
+    pub reserved: u32,
     /// Which of them get one patch together. Default: none.
     pub join: fairmesh_join,
     /// Pairs of vertices of the boundary that the triangulation shall have an edge between, before it is refined. On one loop a guide divides what is triangulated, as across a long tear; between two loops that are joined it is where their patch is cut open. No vertex is in two of them. The patch is faired as a whole: it has no crease there. Default: none. Two indices side by side.
@@ -140,8 +144,10 @@ impl fairmesh_fill_options {
         Self {
             struct_size: size_of::<Self>() as u32,
             on_failure: fairmesh_on_failure::Best as u32,
+            cap: fairmesh_cap::Fair as u32,
             fair: 1,
             only_listed: 0,
+            reserved: 0,
             join: fairmesh_join::default(),
             guides: fairmesh_indices::default(),
             density: 1.4142135623730951,
@@ -156,7 +162,7 @@ impl fairmesh_fill_options {
 
     /// Where an option is in this argument.
     pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
-        field_named!(argument, option, Self: on_failure fair only_listed join guides density max_new_vertices relax_rim relax_within max_edges loops filter)
+        field_named!(argument, option, Self: on_failure cap fair only_listed join guides density max_new_vertices relax_rim relax_within max_edges loops filter)
     }
 
     /// What needs no arrays and has no values of its own; all else as it is by default.
@@ -165,6 +171,7 @@ impl fairmesh_fill_options {
             density: self.density,
             max_new_vertices: count(self.max_new_vertices),
             on_failure: chosen(OnFailure::from_number(self.on_failure), self.on_failure, "fairmesh_on_failure", field!(argument, Self.on_failure))?,
+            cap: chosen(Cap::from_number(self.cap), self.cap, "fairmesh_cap", field!(argument, Self.cap))?,
             fair: self.fair != 0,
             ..FillOptions::default()
         })

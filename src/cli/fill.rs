@@ -343,6 +343,7 @@ pub fn told(report: &LoopReport) -> String {
         FillOutcome::LeastBending => format!("{ended}: the surface of least bending"),
         FillOutcome::Flat { reason } => match reason {
             FlatReason::NotAsked => "triangulated and refined".into(),
+            FlatReason::Planar => "closed by the plane of its boundary".into(),
             FlatReason::NoInnerVertex => "triangulated; no new vertex was needed".into(),
             FlatReason::Intersecting => format!("triangulated and refined only: {}", reason.entry().text()),
             FlatReason::Refused(error) => format!("triangulated and refined only: {error}"),

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::Args;
-use fairmesh::{FillOptions, Options, OutputPrecision};
+use clap::{Args, ValueEnum};
+use fairmesh::{Cap, FillOptions, Options, OutputPrecision};
 
 use crate::answer::Answer;
 use crate::batch::Telling;
@@ -13,6 +13,16 @@ use crate::formats::{Format, MeshFile};
 use crate::orientation::oriented;
 use crate::output::Output;
 use crate::surface::{IntersectionArgs, MeshArgs};
+
+/// What closes a boundary that lies in a plane.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+enum CapKind {
+    /// A fair patch, which continues what is around it
+    #[default]
+    Fair,
+    /// The plane, with a sharp edge; boundaries in no plane get a fair patch
+    Flat,
+}
 
 /// How patches are made and told.
 #[derive(Debug, Args)]
@@ -28,6 +38,9 @@ pub struct PatchArgs {
     /// Triangulate and refine only, without fairing
     #[arg(long)]
     no_fair: bool,
+    /// What closes a boundary that lies in a plane, as where a part was cut off
+    #[arg(long, value_name = "WHAT", value_enum, default_value_t)]
+    cap: CapKind,
     /// Stop when the vertices move less than this part of the patch's
     /// diagonal, between 0 and 1 [default: 1e-8]
     #[arg(long, value_name = "X", verbatim_doc_comment)]
@@ -74,6 +87,10 @@ impl PatchArgs {
             density: self.density.unwrap_or(defaults.density),
             max_new_vertices: self.max_new_vertices.unwrap_or(defaults.max_new_vertices),
             fair: !self.no_fair,
+            cap: match self.cap {
+                CapKind::Fair => Cap::Fair,
+                CapKind::Flat => Cap::Flat,
+            },
             fairing: Options {
                 tolerance: self.tolerance.unwrap_or(defaults.fairing.tolerance),
                 max_iterations: self.max_iterations.unwrap_or(defaults.fairing.max_iterations),

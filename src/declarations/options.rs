@@ -20,7 +20,7 @@ use super::status::CallResult;
 use super::types::*;
 use super::views::{Argument, Array, FieldPath, field, field_named, indices_in};
 use fairmesh::{
-    BridgeOptions, Discretization, FillOptions, InnerFairness, InteriorNormals, Intersections, OnFailure, Options, OutputPrecision,
+    BridgeOptions, Cap, Discretization, FillOptions, InnerFairness, InteriorNormals, Intersections, OnFailure, Options, OutputPrecision,
     RemeshOptions, Rim,
 };
 ";

@@ -1,9 +1,9 @@
 //! All tables of the library, under the names that the C interface gives their enumerations.
 
 use fairmesh::{
-    AttemptEnd, BoundaryNormals, Coincident, Discretization, Entry, Error, FillOutcome, FlatReason, GapKind,
-    InnerFairness, InteriorNormals, Intersections, Join, LoopKind, LooseReason, OnFailure, OpenReason,
-    Outcome, OutputPrecision, Place, Target,
+    AttemptEnd, BoundaryNormals, Cap, Coincident, Discretization, Entry, Error, FillOutcome, FlatReason,
+    GapKind, InnerFairness, InteriorNormals, Intersections, Join, LoopKind, LooseReason, OnFailure,
+    OpenReason, Outcome, OutputPrecision, Place, Target,
 };
 
 #[path = "../capi/statuses.rs"]
@@ -85,6 +85,8 @@ pub fn all() -> Vec<Table> {
         fairmesh_gap_kind with texts: GapKind::TABLE;
         /// What a loop gets whose patch is no success: not fair, creased, intersecting, or with any other reservation.
         fairmesh_on_failure: OnFailure::TABLE;
+        /// What closes a loop that lies in a plane.
+        fairmesh_cap: Cap::TABLE;
         /// A part of space.
         fairmesh_place_kind: &[statuses::EVERYWHERE], Place::TABLE;
         /// Where the normals at the boundary of the region come from.

@@ -286,7 +286,7 @@ impl<'m> Strip<'m> {
             surroundings: &surroundings,
             factor: SQRT_2 / filling.density,
             most: most.min(largest_patch(edges, filling.density)),
-            fair: filling.fair,
+            unfaired: filling.unfaired(&surroundings),
             options: local_options(&surroundings, &fairing),
             precision: filling.fairing.output_precision,
         };

@@ -361,7 +361,7 @@ impl FillRun<'_> {
             surroundings: &surroundings,
             factor: std::f64::consts::SQRT_2 / self.options.density,
             most: self.left.min(largest_patch(edges, self.options.density)),
-            fair: self.options.fair,
+            unfaired: self.options.unfaired(&surroundings),
             options: self
                 .rims
                 .with_normals(i, &surroundings, local_options(&surroundings, self.fairing)),

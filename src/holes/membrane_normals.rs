@@ -39,7 +39,7 @@ impl Task<'_> {
         judge: &impl Fn(PatchSurface) -> PatchSurface,
         tell: &mut ProgressCallback<'_>,
     ) -> Option<PatchSurface> {
-        if !self.fair {
+        if self.unfaired.is_some() {
             return None;
         }
         let gentle = self.gentle(coarse)?;

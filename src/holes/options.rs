@@ -128,6 +128,16 @@ choices! {
     }
 }
 
+choices! {
+    /// What closes a loop that lies in a plane, as where a part was cut off.
+    #[derive(Default)]
+    #[non_exhaustive]
+    Cap {
+        #[default] 0 "fair" Fair => "a fair patch, which continues the surroundings and bulges as they do", "";
+        1 "flat" Flat => "the plane, with a sharp edge along the loop; loops that are in no plane get a fair patch", "";
+    }
+}
+
 /// Which loops get one patch together: an island and the hole around it, the ends of tubes, the two sides of a gap.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum Join {
@@ -172,6 +182,8 @@ options! {
         max_new_vertices: usize = 200_000, count "vertices";
         /// What a loop gets whose patch is no success. Default: the best surface there is.
         on_failure: OnFailure = OnFailure::default(), choice "fairmesh_on_failure";
+        /// What closes a loop that lies in a plane, to a thousandth of its diagonal, as where a part was cut off. Default: a fair patch.
+        cap: Cap = Cap::default(), choice "fairmesh_cap";
         /// What may happen to the mesh around a loop before it is filled. Default: nothing.
         rim: Rim = Rim::default(), elsewhere;
         /// Whether the patches are faired. Default: yes.

@@ -75,6 +75,8 @@ pub enum OpenReason {
 pub enum FlatReason {
     /// Fairing was not asked for.
     NotAsked,
+    /// The loop lies in a plane, which was asked to close it: [`Cap::Flat`](super::Cap::Flat).
+    Planar,
     /// The patch has no inner vertex: nothing can move.
     NoInnerVertex,
     /// The fairing was refused.
@@ -83,6 +85,13 @@ pub enum FlatReason {
     Unsound,
     /// The faired patch would intersect itself or the mesh, this one does not.
     Intersecting,
+}
+
+impl FlatReason {
+    /// Whether a patch that is not faired is what was asked for.
+    pub(super) fn is_as_asked(&self) -> bool {
+        matches!(self, Self::NotAsked | Self::Planar | Self::NoInnerVertex)
+    }
 }
 
 /// How a loop ended.
@@ -125,7 +134,7 @@ impl FillOutcome {
     pub(super) fn is_success(&self, fairing: Option<&Report>) -> bool {
         match self {
             Self::Faired => fairing.is_some_and(|report| report.outcome.is_success()),
-            Self::Flat { reason } => matches!(reason, FlatReason::NotAsked | FlatReason::NoInnerVertex),
+            Self::Flat { reason } => reason.is_as_asked(),
             Self::LeftOpen(
                 OpenReason::OuterBoundary
                 | OpenReason::Hanging { .. }
@@ -192,6 +201,7 @@ table!(FlatReason {
         "the fairing found no sound surface; its report says how it ended", "see the remedy of the fairing's outcome";
     36 "intersecting" FlatReason::Intersecting =>
         "faired, the patch would intersect itself or the mesh", "clean the boundary of the hole, or remove faces around it";
+    37 "planar" FlatReason::Planar => "the boundary lies in a plane, which closes it, as asked", "";
 });
 
 /// What became of a loop, or of loops that are joined.

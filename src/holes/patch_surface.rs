@@ -93,9 +93,7 @@ impl PatchSurface {
     pub(super) fn is_fair(&self) -> bool {
         match &self.outcome {
             FillOutcome::LeastBending | FillOutcome::LeftOpen(_) => false,
-            FillOutcome::Flat { reason } => {
-                matches!(reason, FlatReason::NotAsked | FlatReason::NoInnerVertex)
-            }
+            FillOutcome::Flat { reason } => reason.is_as_asked(),
             _ => true,
         }
     }
@@ -155,7 +153,8 @@ pub(super) struct Task<'a> {
     /// Wanted edge length over that of the surroundings.
     pub(super) factor: f64,
     pub(super) most: usize,
-    pub(super) fair: bool,
+    /// Why the triangulation stays as it is; none where it is faired.
+    pub(super) unfaired: Option<FlatReason>,
     /// As [`local_options`](crate::holes::local_frame::local_options) gives them.
     pub(super) options: Options,
     /// What the mesh will be written in.
@@ -181,7 +180,7 @@ impl Task<'_> {
             let is_over = matches!(piece.outcome, FillOutcome::LeftOpen(OpenReason::Cancelled));
             // A pipe that bends by another equation is rather what is meant than films with a thread between them.
             let is_enough = piece.is_clean() || layout == Layout::Swept && piece.is_nearest_member();
-            if is_over || is_enough || !self.fair && !piece.is_open() {
+            if is_over || is_enough || self.unfaired.is_some() && !piece.is_open() {
                 return piece;
             }
             if best.as_ref().is_none_or(|best| piece.rank() > best.rank()) {
@@ -195,9 +194,8 @@ impl Task<'_> {
         let Some((coarse, mut patch)) = self.laid_out(layout) else {
             return PatchSurface::open(OpenReason::NoTriangulation);
         };
-        if !self.fair {
+        if let Some(reason) = self.unfaired.clone() {
             let coarsened = !self.refine(&mut patch);
-            let reason = FlatReason::NotAsked;
             return self.piece(&coarse, patch, FillOutcome::Flat { reason }, None, coarsened);
         }
         if is_stopped_at(tell, 0.0) {

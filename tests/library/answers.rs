@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
 use fairmesh::{
-    BoundaryCurvature, BoundaryNormals, BridgeOptions, Coincident, Combine, Discretization, Error,
+    BoundaryCurvature, BoundaryNormals, BridgeOptions, Cap, Coincident, Combine, Discretization, Error,
     FillOptions, FillOutcome, Filled, InnerFairness, InteriorNormals, Intersections, Join, LoopFilter,
     LoopReport, Loops, OnFailure, Options, OutputPrecision, Place, Region, RegionStep, RemeshOptions, Rim,
     Seed, Selection, Solution, Target, boundary_loops, bridge, erase, fair, fill_holes, refill_region,
@@ -382,6 +382,10 @@ fn joined_fillings(cases: &mut Cases, tubes: &Mesh) {
         "joined by itself" "auto" |o| o.join = Join::Auto;
         "apart" "none" |o| o.join = Join::None;
     }
+    let given = json!({ "loops": near, "join": "none", "cap": "flat" });
+    cases.fill("flat caps", "tubes", tubes, given, &|o| {
+        (o.loops, o.cap) = (Loops::Chosen(near.clone()), Cap::Flat);
+    });
 }
 
 fn bridges(cases: &mut Cases, tubes: &Mesh) {

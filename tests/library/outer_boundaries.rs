@@ -1,7 +1,8 @@
 //! Holes are told from outer boundaries, with noise too.
 
 use fairmesh::{
-    FillOptions, FillOutcome, LoopKind, LoopReport, Loops, OnFailure, boundary_loops, fill_holes,
+    Cap, FillOptions, FillOutcome, FlatReason, LoopKind, LoopReport, Loops, OnFailure, boundary_loops,
+    fill_holes,
 };
 use fairmesh_shapes::{Sampling, sphere_with_hole};
 
@@ -206,4 +207,78 @@ fn a_hole_of_140_degrees_is_a_hole() {
         check("140 degrees", &sphere(140.0), LoopKind::Hole, amplitude, true);
         check("140 degrees", &sphere(140.0), LoopKind::Hole, amplitude, false);
     }
+}
+
+/// A tube of so many sides about the z axis, cut off at z = 0 and closed with a fan at its other end, moved, turned and scaled.
+fn cut_off(sides: u32, scale: f64) -> Mesh {
+    let rows = 12;
+    let ring = |row: u32| {
+        (0..sides).map(move |k| {
+            let angle = std::f64::consts::TAU * f64::from(k) / f64::from(sides);
+            [angle.cos(), angle.sin(), f64::from(row) / 6.0]
+        })
+    };
+    let end = [[0.0, 0.0, f64::from(rows) / 6.0]];
+    let x = (0..=rows).flat_map(ring).chain(end);
+    let turned =
+        |[x, y, z]: [f64; 3]| [0.8 * x - 0.6 * z + 3.0, y - 7.0, 0.6 * x + 0.8 * z].map(|c| scale * c);
+    let at = |row: u32, k: u32| row * sides + k % sides;
+    let sides_of = |row: u32| {
+        (0..sides).flat_map(move |k| {
+            let [a, b, c, d] = [at(row, k), at(row, k + 1), at(row + 1, k), at(row + 1, k + 1)];
+            [[a, b, d], [a, d, c]]
+        })
+    };
+    let fan = (0..sides).map(|k| [at(rows, k), at(rows, k + 1), at(rows + 1, 0)]);
+    (
+        x.map(turned).collect(),
+        (0..rows).flat_map(sides_of).chain(fan).collect(),
+    )
+}
+
+#[test]
+fn a_part_that_was_cut_off_gets_a_flat_cap_where_that_is_asked() {
+    for (sides, scale) in [(6, 1.0), (24, 1e-6), (40, 1e6)] {
+        let (x, t) = cut_off(sides, scale);
+        let options = FillOptions {
+            loops: Loops::Chosen(vec![0]),
+            cap: Cap::Flat,
+            ..FillOptions::default()
+        };
+        let filled = fill_holes(&x, &t, &options).unwrap();
+        let report = &filled.loops[0];
+        let flat = FillOutcome::Flat {
+            reason: FlatReason::Planar,
+        };
+        assert_eq!((&report.outcome, report.is_success()), (&flat, true));
+        let back = |p: &[f64; 3]| 0.8 * p[2] / scale - 0.6 * (p[0] / scale - 3.0);
+        let off = report
+            .vertices
+            .clone()
+            .map(|v| back(&filled.positions[v as usize]).abs());
+        assert!(
+            off.fold(0.0, f64::max) < 1e-14,
+            "{sides} sides are not closed by their plane"
+        );
+        assert!(
+            report.worst_angle > 25.0
+                && boundary_loops(&filled.positions, &filled.triangles)
+                    .unwrap()
+                    .is_empty()
+        );
+    }
+}
+
+#[test]
+fn a_loop_in_no_plane_gets_the_same_patch_whatever_the_cap() {
+    let (x, t) = with_noise(&sphere(40.0), 0.1, true, 1);
+    let [fair, flat] = [Cap::Fair, Cap::Flat].map(|cap| {
+        let options = FillOptions {
+            cap,
+            ..FillOptions::default()
+        };
+        fill_holes(&x, &t, &options).unwrap()
+    });
+    assert_eq!(fair.loops[0].outcome, FillOutcome::Faired);
+    assert_eq!(fair.positions, flat.positions);
 }

@@ -30,6 +30,12 @@ class PatchOptions:
         ("QUADS", "Quads", "Such rows, or pairs of triangles as Tris to Quads makes of them; what is left stays triangles"),
     )
     smooth: switch("Fair", "Make the patch a smooth continuation of its surroundings. Off: it stays as triangulated", True)
+    cap: selection(
+        "Flat Holes",
+        "What closes a hole whose boundary lies in a plane, as where a part was cut off",
+        ("FAIR", "Fair", "A patch that continues its surroundings, as everywhere"),
+        ("FLAT", "Plane", "That plane, with a sharp edge"),
+    )
     on_failure: selection(
         "If Not Fair",
         "What a hole gets whose patch is not fair, creased, intersects something or has another flaw",
@@ -44,6 +50,7 @@ class PatchOptions:
             # The library's factor: the square root of 2 is as long as around the hole.
             "density": self.density * 2.0**0.5,
             "fair": self.smooth,
+            "cap": self.cap.lower(),
             "on_failure": self.on_failure.lower(),
         }
 
@@ -52,6 +59,7 @@ class PatchOptions:
         choice(layout, self, "faces", "Faces")
         layout.prop(self, "smooth")
         if self.smooth:
+            choice(layout, self, "cap", "Flat Holes")
             choice(layout, self, "on_failure", "If Not Fair")
 
 
