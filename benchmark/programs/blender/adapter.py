@@ -98,7 +98,7 @@ def bevelled(made, task: Task) -> None:
     edited(made, lambda _: True, lambda: bpy.ops.mesh.dissolve_limited(angle_limit=FLAT))
     ends = set(map(tuple, task.vertices[task.told["edge"]].astype(np.float32).tolist()))
     is_sharp = lambda edge: all(tuple(v.co) in ends for v in edge.verts)  # noqa: E731
-    edited(made, is_sharp, lambda: bpy.ops.mesh.bevel(offset=task.told["radius"], segments=16, profile=0.5, clamp_overlap=False))
+    edited(made, is_sharp, lambda: bpy.ops.mesh.bevel(offset=task.told["radius"], segments=16, profile=0.5, clamp_overlap=False, loop_slide=False))
 
 
 def filled(made, task: Task) -> None:
