@@ -83,9 +83,11 @@ def _at_rim(case: Case, result: Mesh, new: Mask) -> Mask:
     if "hole" not in case.told or not new.any():
         return new
     corners = case.mesh.vertices[case.told["hole"]]
-    # A program may have moved them, by less than an edge.
-    near = cKDTree(corners).query(corners, 2)[0][:, 1].mean()
-    rim = cKDTree(corners).query(result.vertices, distance_upper_bound=near)[0] < near
+    rim = np.isin(_places(result.vertices), _places(corners))
+    if not rim.any():
+        # A program may have moved them, by less than an edge.
+        near = cKDTree(corners).query(corners, 2)[0][:, 1].mean()
+        rim = cKDTree(corners).query(result.vertices, distance_upper_bound=near)[0] < near
     faces = result.faces[new]
     joints = coo_array((np.ones(3 * len(faces)), (faces.ravel(), faces[:, [1, 2, 0]].ravel())), (len(result.vertices),) * 2)
     _, part = connected_components(joints, directed=False)
@@ -129,6 +131,9 @@ def measured(case: Case, result: Mesh) -> Measures:
     found, truth = result.only(new), case.truth.only(wanted)
     there, there_weights = samples(truth)
     back, back_weights = samples(found)
+    if case.task == "round":
+        # Flat sides may have other triangles than before: what is further from the rounding than the ball is wide does not count.
+        back_weights = back_weights * (distances(back, truth) < case.told["radius"])
     # From and to all of each: a program may have moved what is around the hole.
     ways = [(distances(there, result), there_weights), (distances(back, case.truth), back_weights)]
     mean = np.mean([np.average(far, weights=weights) for far, weights in ways])
@@ -161,7 +166,10 @@ def _vertices(case: Case, result: Mesh, new: Mask) -> float:
 
 
 def _open(case: Case, result: Mesh) -> int:
-    return max(0, len(boundary_edges(result.faces)) - len(boundary_edges(case.truth.faces)))
+    """Edges of the boundary that the truth does not have, by the places of their ends: not those of other holes, filled or not."""
+    result_edges, truth_edges = (_places(mesh.vertices)[boundary_edges(mesh.faces)] for mesh in (result, case.truth))
+    known = set(map(tuple, truth_edges.tolist()))
+    return sum(edge not in known for edge in map(tuple, result_edges.tolist()))
 
 
 def _moved(case: Case, result: Mesh) -> int:

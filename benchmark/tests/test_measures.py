@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from itertools import islice
+
 import numpy as np
 import pytest
 
-from fairbench.cases import hole, place, seeded
+from fairbench.blends import blends
+from fairbench.cases import Case, hole, place, seeded
 from fairbench.measures import distances, measured, new_triangles
 from fairbench.meshes import Mesh, boundary_edges, loops, read_ply, write_ply
 from fairbench.shape import edge_angles, smallest_angles
@@ -107,3 +110,34 @@ def test_triangles_that_go_through_others_are_counted():
     assert 3 <= pushed.crossings <= 8 and pushed.tangled == 0
     twice = Mesh(result.vertices, np.vstack([result.faces, result.faces[np.flatnonzero(case.wanted)[:1]]]))
     assert measured(case, twice).tangled == 3
+
+
+def test_a_hole_beside_an_open_end_is_told_apart_from_it():
+    tube = surfaces()[1]
+    mesh = mesh_of(tube, 0.12, "irregular", seeded("tube", 1))
+    # A hole whose boundary is one row of triangles away from the end.
+    heights = np.abs(mesh.corners().mean(axis=1) - [1.0, 0, -1.1])
+    part = np.linalg.norm(heights, axis=1) < 0.25
+    case = hole("tube", "exact", mesh, part, tube)
+    ends = boundary_edges(mesh.faces)
+    assert measured(case, mesh).open_edges == 0
+    middle = np.array([[0, 0, z * mesh.vertices[:, 2].max()] for z in (-1, 1)])
+    lids = [(b, a, len(mesh.vertices) + (mesh.vertices[a, 2] > 0)) for a, b in ends]
+    capped = Mesh(np.vstack([mesh.vertices, middle]), np.vstack([mesh.faces, lids]))
+    both = measured(case, capped)
+    assert (both.open_edges, both.new_triangles) == (0, part.sum()) and both.rms < 1e-12
+    only_ends = measured(case, Mesh(capped.vertices, np.vstack([mesh.faces[~part], lids])))
+    assert only_ends.open_edges == len(boundary_edges(mesh.faces[part]))
+
+
+def test_flat_sides_do_not_count_as_rounded():
+    for blend in islice(blends(seeded("blends", 3)), 2):
+        told = {"edge": blend.edge, "radius": blend.radius}
+        case = Case(blend.name, "blend", "round", blend.sharp, told, blend.rounded, blend.wanted, None)
+        assert measured(case, blend.rounded).rms < 1e-12
+        # The edge left all but as it is: the middle of the arc is off by .29 of the radius at right angles.
+        vertices = blend.sharp.vertices.copy()
+        vertices[blend.edge] += 1e-4
+        left = measured(case, Mesh(vertices, blend.sharp.faces))
+        assert 0.28 < left.largest * case.width() / blend.radius < 0.5
+        assert len(np.unique(blend.edge)) == len(blend.edge) >= 32
