@@ -134,7 +134,7 @@ def test_flat_sides_do_not_count_as_rounded():
     for blend in islice(blends(seeded("blends", 3)), 2):
         told = {"edge": blend.edge, "radius": blend.radius}
         case = Case(blend.name, "blend", "round", blend.sharp, told, blend.rounded, blend.wanted, None)
-        assert measured(case, blend.rounded).rms < 1e-12
+        assert measured(case, blend.rounded).rms < 1e-10
         # The edge left all but as it is: the middle of the arc is off by .29 of the radius at right angles.
         vertices = blend.sharp.vertices.copy()
         vertices[blend.edge] += 1e-4
