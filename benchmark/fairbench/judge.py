@@ -11,11 +11,15 @@ from .measures import measured
 from .programs import Program
 from .runner import Run
 
-#: A result is good that is this near, root mean square in widths, or as near as the nearest one times `BESIDE`; and has no flaw besides.
+#: A result is good that is this near, root mean square in widths, or as near as the nearest one times `BESIDE`; and has no flaw besides. Of 3,562 results,
+#: of which 1,867 are good, 135 change with half of `NEAR` and 164 with double, 265 and 92 with half and double of `BESIDE`.
 NEAR = 0.01
 BESIDE = 3.0
-#: Degrees of crease at the rim beyond the truth's that a good result may have.
+#: Degrees of crease at the rim beyond the truth's that a good result may have. 223 of the same change with half, 196 with double.
 CREASE = 10.0
+#: What is nearer than this (in widths) counts as that near: triangles themselves are no nearer to exact surfaces. Some results on planes are, by rounding,
+#: and would outweigh all others in a mean. Only these change with half or double.
+EXACT = 1e-4
 #: What a failure counts as in means, in widths: as far from the truth as nothing at all.
 FAILED = 1.0
 
@@ -53,7 +57,7 @@ class Row(NamedTuple):
 
     def error(self) -> float:
         """Root mean square of the distances; what a failure counts as."""
-        return FAILED if self.rms is None else self.rms
+        return FAILED if self.rms is None else max(self.rms, EXACT)
 
 
 def row(case: Case, seed: int, program: Program, run: Run) -> Row:
@@ -94,5 +98,5 @@ def best_errors(rows: Iterable[Row]) -> dict[tuple[str, int], float]:
 
 
 def geometric_mean(values: list[float]) -> float:
-    """Of positive numbers; those below a billionth count as that."""
-    return math.exp(sum(math.log(max(value, 1e-9)) for value in values) / len(values))
+    """Of positive numbers."""
+    return math.exp(sum(map(math.log, values)) / len(values))

@@ -31,7 +31,7 @@ class Measures(NamedTuple):
     largest: float
     #: Of the vertices that are new or have moved, from the exact surface; NaN where none is known, or none is there.
     vertices: float
-    #: Angles between new and old triangles at the rim, root mean square, beyond those of the truth.
+    #: Angles between new and old triangles at the rim, root mean square, beyond those of the truth; NaN for what is rounded.
     crease: float
     #: Mean curvature of the new side at the rim, beyond that of the old one, root mean square over the width, beyond that of the truth; NaN without vertices.
     jump: float
@@ -131,7 +131,9 @@ def measured(case: Case, result: Mesh) -> Measures:
     found, truth = result.only(new), case.truth.only(wanted)
     there, there_weights = samples(truth)
     back, back_weights = samples(found)
-    if case.task == "round":
+    # A rounding's rim may be anywhere, as flat sides may have new triangles, too.
+    is_round, nowhere = case.task == "round", float("nan")
+    if is_round:
         # Flat sides may have other triangles than before: what is further from the rounding than the ball is wide does not count.
         back_weights = back_weights * (distances(back, truth) < case.told["radius"])
     # From and to all of each: a program may have moved what is around the hole.
@@ -145,8 +147,8 @@ def measured(case: Case, result: Mesh) -> Measures:
         mean=float(mean) / width,
         largest=float(max(far.max() for far, _ in ways)) / width,
         vertices=_vertices(case, result, new) / width,
-        crease=crease(result, new) - crease(case.truth, case.wanted),
-        jump=(jump(result, new) - jump(case.truth, case.wanted)) * width,
+        crease=nowhere if is_round else crease(result, new) - crease(case.truth, case.wanted),
+        jump=nowhere if is_round else (jump(result, new) - jump(case.truth, case.wanted)) * width,
         smallest_angle=float(angles.min()),
         folds=int(((turns > 170) & (new[first] | new[second])).sum()),
         crossings=crossings(result, new),
