@@ -121,6 +121,10 @@ def _told(loss: Loss) -> list[str]:
     return [f"{own.case}, {own.seed}", f"{100 * own.error():.3g}", f"{100 * other.error():.3g}", other.program, f"{loss.times:.2g}", _word(own)]
 
 
+def _word(one: Row) -> str:
+    return "success" if one.says_success else "no success" if one.rms is not None else one.ended
+
+
 def _lost(rows: list[Row]) -> tuple[list[Loss], int]:
     """The losses, and in how many cases fairmesh has others beside it."""
     by_problem: dict[tuple[str, int], list[Row]] = defaultdict(list)
@@ -175,8 +179,8 @@ HEAD = """# Benchmark of hole filling and fairing
 Written by `benchmark/run.sh` ([how it works](../benchmark/README.md)): {cases} cases with a truth, {runs} runs, seeds {seeds}.
 
 - *rms*: distances from the result to the truth and back, root mean square over the area, in per cent of the width of the hole or region; of several cases
-  the geometric mean. A failure counts as 100, what is nearer than .01 as .01. *seeds*: the same of each seed by itself, the least and the largest; the rank likewise. Ties have one rank,
-  and are all *nearest*.
+  the geometric mean. A failure counts as 100, what is nearer than .01 as .01. *seeds*: the same of each seed by itself, the least and the largest; the rank
+  likewise. Ties have one rank, and are all *nearest*.
 - *good*: nearer than 1 %, or three times as far as the nearest one; sound, and with a crease at the rim of at most 10 degrees beyond the truth's.
 - *flawed*: folded, crossing itself, with edges of three triangles, or open. A failure has no result.
 - *crease*: degrees at the rim beyond the truth's; *jump of H*: of mean curvature there, over the width, beyond the truth's. Both are medians; CPU seconds and
