@@ -33,7 +33,8 @@ pub use fairing::{
     Attempt, AttemptEnd, BoundaryCurvature, BoundaryNormals, Budget, Coincident, ComponentReport, CreaseEnd,
     CurvatureContinuity, Discretization, Edit, Frame, InnerFairness, InteriorNormals, Intersections,
     LooseReason, Options, Outcome, OutputPrecision, Progress, ProgressCallback, Report, Seconds, Selection,
-    SelfIntersections, Solution, Solver, SolverKind, Target, crease_ends, fair, fair_with_progress,
+    SelfIntersections, SharpEdge, SharpFate, Solution, Solver, SolverKind, Target, crease_ends, fair,
+    fair_with_progress,
 };
 pub use holes::{
     BoundaryLoop, BridgeOptions, Bridged, Cap, Carried, Erased, FillOptions, FillOutcome, Filled, FlatReason,

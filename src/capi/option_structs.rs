@@ -51,6 +51,8 @@ pub struct fairmesh_options {
     pub progress: fairmesh_progress_fn,
     /// Handed to `progress`.
     pub user_data: *mut c_void,
+    /// Creases of the surroundings of at least so many degrees that reach the boundary go on through the region, if another one fits there: vertices are placed along them, and each side is a surface of its own. Default 0: none goes on. Not for fairing in steps.
+    pub sharp: f64,
 }
 
 impl fairmesh_options {
@@ -74,12 +76,13 @@ impl fairmesh_options {
             max_iterations: 500,
             progress: None,
             user_data: core::ptr::null_mut(),
+            sharp: 0.0,
         }
     }
 
     /// Where an option is in this argument.
     pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
-        field_named!(argument, option, Self: interior_normals inner_fairness discretization output_precision threads intersections boundary_normals continuity loop_continuity boundary_curvature target tolerance max_iterations progress user_data)
+        field_named!(argument, option, Self: interior_normals inner_fairness discretization output_precision threads intersections boundary_normals continuity loop_continuity boundary_curvature target tolerance max_iterations progress user_data sharp)
     }
 
     /// What needs no arrays and has no values of its own; all else as it is by default.
@@ -94,6 +97,7 @@ impl fairmesh_options {
             output_precision: chosen(OutputPrecision::from_number(self.output_precision), self.output_precision, "fairmesh_output_precision", field!(argument, Self.output_precision))?,
             threads: self.threads as usize,
             intersections: chosen(Intersections::from_number(self.intersections), self.intersections, "fairmesh_intersections", field!(argument, Self.intersections))?,
+            sharp: self.sharp,
             ..Options::default()
         })
     }

@@ -47,6 +47,7 @@ mod seams;
 mod select;
 mod selected;
 mod selection;
+mod sharp_edges;
 mod shell;
 mod similar;
 mod solver;

@@ -14,6 +14,7 @@ use crate::figures::{FACES, PAIRS, VERTICES, listed, range, scientific, signific
 
 use crate::formats::Geometry;
 use crate::region::RegionReport;
+use crate::sharp_edges;
 use crate::surface::target_name;
 
 /// Seconds of the command; `solve` is the library's whole call, `setup` the part of it before any solving.
@@ -200,6 +201,7 @@ impl Summary<'_> {
     fn tell_remarks(&self, table: &mut Table) {
         self.tell_intersections(table);
         let report = self.report;
+        table.rows("sharp edges", sharp_edges::lines(&report.sharp_edges));
         if report.least_bending {
             table.row("surface", "that of least bending");
         }
@@ -259,6 +261,7 @@ impl Summary<'_> {
             "reached": reached,
             "member_weight": member_weight(&report.outcome),
             "fallback_weights": report.fallback_weights,
+            "sharp_edges": sharp_edges::json(&report.sharp_edges),
             "stale_normals": self.stale_normals,
             "intersections": self.intersections().map(|pairs| json!({
                 "count": pairs.len(),
@@ -402,6 +405,7 @@ mod tests {
                 pairs: vec![[0, 2], [1, 2], [1, 3]],
                 in_input: 1,
             }),
+            sharp_edges: Vec::new(),
             components: Vec::new(),
         }
     }

@@ -25,6 +25,9 @@ use fairmesh::{
 };
 ";
 
+/// Options that have come since the structs were published stand at their ends, where zero means what was before.
+const LATER: [&str; 1] = ["sharp"];
+
 /// A struct of the C interface.
 pub struct OptionStruct {
     /// Its name.
@@ -111,11 +114,13 @@ impl OptionStruct {
             ]
         });
         let besides = self.besides.iter().map(|field| field.map(str::to_owned));
-        let (mut small, large): (Vec<_>, Vec<_>) =
+        let (mut small, mut large): (Vec<_>, Vec<_>) =
             options.chain(besides).partition(|field| field[1] == "u32");
         if small.len() % 2 == 0 {
             small.push(["reserved", "u32", "Zero.", "0"].map(str::to_owned));
         }
+        // Stable: all else stays in its order.
+        large.sort_by_key(|field| LATER.contains(&field[0].as_str()));
         small.extend(large);
         small
     }

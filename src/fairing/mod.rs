@@ -13,6 +13,7 @@ mod options;
 mod prepared;
 mod report;
 mod sharp;
+mod sharp_edge;
 mod solver;
 mod whole_intersections;
 mod whole_solution;
@@ -48,7 +49,9 @@ pub use report::{
     Attempt, AttemptEnd, ComponentReport, LooseReason, Outcome, Progress, ProgressCallback, Report, Seconds,
     SelfIntersections, Solution,
 };
-pub use sharp::{CreaseEnd, crease_ends};
+use sharp::SharpEdges;
+pub use sharp::crease_ends;
+pub use sharp_edge::{CreaseEnd, SharpEdge, SharpFate};
 pub use solver::Solver;
 use whole_solution::whole;
 pub(crate) use workers::Workers;
@@ -237,6 +240,11 @@ fn run<'a>(
         options,
         options.asks_continuity(),
     )?;
+    let sharp = SharpEdges::find(positions, triangles, &components, options);
+    let components = match &sharp.parted {
+        Some(parted) => parted.prepared(options)?,
+        None => components,
+    };
     let setup = clock.seconds();
     let undone = components.iter().map(|prepared| (prepared.free(), 0.0));
     let mut shares = ComponentWeights::new(progress, PREPARED, undone);
@@ -246,7 +254,12 @@ fn run<'a>(
         shares.end(prepared.free(), 1.0);
     }
     solutions[0].seconds.setup = setup;
-    Ok(whole(positions, triangles, options, &solutions))
+    if let Some(parted) = &sharp.parted {
+        parted.restore(&mut solutions);
+    }
+    let mut solution = whole(positions, triangles, options, &solutions);
+    solution.report.sharp_edges = sharp.told;
+    Ok(solution)
 }
 
 /// Solves one component.

@@ -135,6 +135,9 @@ options! {
         intersections: Intersections = Intersections::default(), choice "fairmesh_intersections";
         /// Whether vertices at the same place are one. Default: yes, where their coordinates are equal.
         coincident: Coincident = Coincident::default(), elsewhere;
+        /// Creases of the surroundings of at least so many degrees that reach the boundary go on through the region, if another one fits there:
+        /// vertices are placed along them, and each side is a surface of its own. Default 0: none goes on. Not for fairing in steps.
+        sharp: f64 = 0.0, real "degrees" in 0.0..=180.0, "between 0 and 180";
     }
 }
 

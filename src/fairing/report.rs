@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::continuity::CurvatureContinuity;
+use super::sharp_edge::SharpEdge;
 use crate::discrete::target::Target;
 #[cfg(doc)]
 use crate::fairing::options::{Options, SolverKind};
@@ -444,6 +445,8 @@ pub struct Report {
     /// Triangles that intersect, measured on the positions returned. None: not looked for, because
     /// [`Options::intersections`] says so or because the run was held up before its end.
     pub self_intersections: Option<SelfIntersections>,
+    /// What became of the sharp edges that reach the boundary, where [`Options::sharp`] asks for them.
+    pub sharp_edges: Vec<SharpEdge>,
     /// Each component, by its smallest free vertex; at least one.
     pub components: Vec<ComponentReport>,
 }

@@ -1,15 +1,123 @@
-//! Sharp edges that reach the boundary of a region.
+//! Sharp edges that reach the boundary of a region: boundary data, which goes on inside.
 
+mod branch;
+mod curve;
 mod ends;
+mod groups;
 mod outside;
+mod parting;
+mod path;
 mod sides;
 
+use super::normals::GivenNormals;
+use super::options::Options;
+use super::prepared::Prepared;
+use super::sharp_edge::{CreaseEnd, SharpEdge, SharpFate};
 use crate::mesh::coincident::Coincident;
 use crate::mesh::numbering::Numbering;
 use crate::mesh::selection::Selection;
 use crate::mesh::{Joined, RegionMesh};
 use crate::support::error::Error;
-pub use ends::CreaseEnd;
+use groups::{Group, grouped};
+use outside::Outside;
+use parting::{Followed, PartedProblem};
+use path::{Membrane, Path};
+
+/// What was decided about the sharp edges that reach the boundary.
+#[derive(Default)]
+pub(super) struct SharpEdges {
+    pub(super) told: Vec<SharpEdge>,
+    /// The problem that is to be solved in place of the given one; none: no crease goes on.
+    pub(super) parted: Option<PartedProblem>,
+}
+
+impl SharpEdges {
+    /// Of a mesh that these components are of, as far as the options ask for it.
+    pub(super) fn find(
+        positions: &[[f64; 3]],
+        triangles: &[[u32; 3]],
+        components: &[Prepared],
+        options: &Options,
+    ) -> Self {
+        if options.sharp <= 0.0 {
+            return Self::default();
+        }
+        let regions: Vec<&RegionMesh> = components.iter().map(|of| &of.domain.region).collect();
+        let is_free = free(positions.len(), &regions);
+        let given = GivenNormals::new(&options.boundary_normals);
+        let outside = Outside::new(positions, triangles, &is_free);
+        let mut ends = ends::crease_ends(&outside, options.sharp);
+        ends.retain(|end| !given.has(end.vertex));
+        let mut told = Vec::new();
+        let mut creases = Vec::new();
+        for component in components {
+            follow(component, &ends, positions, &mut told, &mut creases);
+        }
+        let goes_on = told.iter().filter(|edge: &&SharpEdge| !edge.vertices.is_empty());
+        let ends: Vec<&CreaseEnd> = goes_on.flat_map(|edge| &edge.ends).collect();
+        let parted = (!creases.is_empty()).then(|| {
+            let mut near = ends::normals_near(&outside, &ends);
+            near.retain(|(v, _)| !given.has(*v));
+            PartedProblem::new((positions, triangles), &is_free, &creases, (&ends, near))
+        });
+        Self { told, parted }
+    }
+}
+
+/// Decides about the ends at the boundary of one component.
+fn follow(
+    component: &Prepared,
+    ends: &[CreaseEnd],
+    positions: &[[f64; 3]],
+    told: &mut Vec<SharpEdge>,
+    creases: &mut Vec<Followed>,
+) {
+    let region = &component.domain.region;
+    let boundary = &region.vertex_ids[region.free..region.region_vertices()];
+    let own = ends.iter().filter(|end| boundary.contains(&end.vertex));
+    let own: Vec<CreaseEnd> = own.cloned().collect();
+    if own.is_empty() {
+        return;
+    }
+    let mut membrane = Membrane::new(&component.domain, positions);
+    for group in grouped(&own, positions) {
+        let paths = match group.branches.is_empty() {
+            true => None,
+            false => membrane.as_mut().and_then(|membrane| membrane.paths(&group)),
+        };
+        told.push(SharpEdge {
+            ends: group.ends.iter().map(|&e| own[e].clone()).collect(),
+            fate: fate(&group, paths.is_some()),
+            vertices: vertices(paths.as_deref().unwrap_or_default()),
+        });
+        let followed = group.branches.into_iter().zip(paths.into_iter().flatten());
+        creases.extend(followed.map(|(branch, path)| Followed { branch, path }));
+    }
+}
+
+fn vertices(paths: &[Path]) -> Vec<u32> {
+    let all = paths.iter().flat_map(|path| &path.vertices);
+    all.copied().collect()
+}
+
+fn fate(group: &Group, has_paths: bool) -> SharpFate {
+    match (group.branches.len(), has_paths) {
+        (0, _) => SharpFate::Alone,
+        (_, false) => SharpFate::NoPath,
+        (1, true) => SharpFate::GoesOn,
+        (_, true) => SharpFate::Corner,
+    }
+}
+
+/// Which of so many vertices are free in any of the regions.
+fn free(vertices: usize, regions: &[&RegionMesh]) -> Vec<bool> {
+    let mut is_free = vec![false; vertices];
+    for region in regions {
+        let own = &region.vertex_ids[..region.free];
+        own.iter().for_each(|&v| is_free[v as usize] = true);
+    }
+    is_free
+}
 
 /// Where creases of the surroundings, of at least so many degrees, arrive at the boundary of a region: two normals hold there, and no
 /// smooth surface has both. The region itself is not looked at. Vertices have the smallest number of their copies.
@@ -49,12 +157,7 @@ pub fn crease_ends(
         &|_| false,
         numbering,
     )?;
-    let mut is_free = vec![false; positions.len()];
-    for v in regions
-        .iter()
-        .flat_map(|region| &region.vertex_ids[..region.free])
-    {
-        is_free[*v as usize] = true;
-    }
-    Ok(ends::crease_ends(positions, &joined.triangles, &is_free, least))
+    let is_free = free(positions.len(), &regions.iter().collect::<Vec<_>>());
+    let outside = Outside::new(positions, &joined.triangles, &is_free);
+    Ok(ends::crease_ends(&outside, least))
 }

@@ -94,6 +94,7 @@ fn report(options: &Options, components: &[ComponentSolution], crossings: Option
         suspicious_normals: ascending(components, |c| &c.suspicious_normals),
         fallback_weights: components.iter().map(|c| c.fallback_weights).sum(),
         self_intersections,
+        sharp_edges: Vec::new(),
         components: told.clone(),
     }
 }

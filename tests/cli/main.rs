@@ -20,6 +20,7 @@ mod pictures;
 mod pipes;
 mod references;
 mod select;
+mod sharp;
 #[path = "../common/tier.rs"]
 mod tier;
 mod words;

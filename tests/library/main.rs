@@ -38,6 +38,7 @@ mod refill;
 mod regions;
 mod rim;
 mod search;
+mod sharp;
 mod solver;
 mod soundness;
 mod targets;

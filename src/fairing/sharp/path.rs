@@ -1,0 +1,240 @@
+//! Paths of edges that can follow the creases inside a region.
+//!
+//! The region's own shape has no say. Its membrane, each vertex the mean of its neighbours, knows where the boundary is; a crease runs
+//! above or below it, so that only the distance across the crease tells which vertices are near to it.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::sync::Arc;
+
+use fairmesh_linear::cholesky::{Cholesky, SolveWork};
+use fairmesh_linear::ordering::fill_reducing;
+use fairmesh_linear::symbolic::Symbolic;
+use nalgebra::Vector3;
+
+use super::branch::Branch;
+use super::groups::Group;
+use crate::mesh::NONE;
+use crate::solve::Domain;
+
+/// What an edge on the crease costs, in those that are one edge off it.
+const ON_CREASE: f64 = 0.25;
+/// A fixed vertex this near to a crease (in edges) is on it.
+const ON: f64 = 0.1;
+/// Edges of a path, spread along the crease, are no longer or shorter than those around by this factor.
+const STRETCH: f64 = 2.5;
+
+/// The membrane of a region, and which of its vertices paths have taken.
+pub(super) struct Membrane<'a> {
+    domain: &'a Domain,
+    /// Of free and boundary vertices, as the caller places these.
+    x: Vec<Vector3<f64>>,
+    /// The mean length of the boundary's edges.
+    edge: f64,
+    taken: Vec<bool>,
+}
+
+/// The vertices that are to lie on a crease.
+pub(super) struct Path {
+    pub(super) vertices: Vec<u32>,
+    /// Which part of the crease's length is before each.
+    pub(super) parts: Vec<f64>,
+}
+
+/// What it costs to come to each vertex from the first, and over which.
+struct Reach {
+    cost: Vec<f64>,
+    before: Vec<u32>,
+}
+
+impl<'a> Membrane<'a> {
+    pub(super) fn new(domain: &'a Domain, positions: &[[f64; 3]]) -> Option<Self> {
+        let region = &domain.region;
+        let own = &region.vertex_ids[..region.region_vertices()];
+        let mut x: Vec<Vector3<f64>> = own.iter().map(|&v| positions[v as usize].into()).collect();
+        relax(domain, &mut x)?;
+        let edges = domain.rings.boundary_half_edges.iter().map(|&h| {
+            let ends = [region.half_edges.origin(h), region.half_edges.target(h)];
+            (x[ends[0] as usize] - x[ends[1] as usize]).norm()
+        });
+        Some(Self {
+            edge: edges.sum::<f64>() / domain.rings.boundary_half_edges.len().max(1) as f64,
+            taken: vec![false; x.len()],
+            domain,
+            x,
+        })
+    }
+
+    /// The paths of a group's creases; `None` where there is none for one of them.
+    pub(super) fn paths(&mut self, group: &Group) -> Option<Vec<Path>> {
+        let costs: Vec<Vec<f64>> = group.branches.iter().map(|branch| self.costs(branch)).collect();
+        let corner = match group.branches.len() {
+            1 => None,
+            _ => Some(self.corner(group, &costs)?),
+        };
+        let mut paths = Vec::new();
+        for (branch, costs) in group.branches.iter().zip(&costs) {
+            let from = self.local(branch.from)?;
+            let to = match branch.to {
+                Some(v) => self.local(v)?,
+                None => corner?,
+            };
+            let reach = self.reach(from, to, costs, &self.on(branch));
+            let path = self.shortened(reach.path(to)?);
+            let parts = self.parts(&path, branch)?;
+            path.iter().for_each(|&v| self.taken[v as usize] = true);
+            let ids = &self.domain.region.vertex_ids;
+            let vertices = path.into_iter().map(|v| ids[v as usize]).collect();
+            paths.push(Path { vertices, parts });
+        }
+        Some(paths)
+    }
+
+    /// Which parts of the crease's length are before the vertices of a path: evenly between those that are fixed; `None` where that stretches
+    /// edges too much.
+    fn parts(&self, path: &[u32], branch: &Branch) -> Option<Vec<f64>> {
+        let last = path.len() - 1;
+        let known = |k: usize| match k {
+            0 => Some(0.0),
+            _ if k == last => Some(1.0),
+            _ if self.domain.region.is_free(path[k]) => None,
+            _ => Some(branch.curve.nearest(&self.x[path[k] as usize]).0),
+        };
+        let mut parts = vec![0.0];
+        while parts.len() <= last {
+            let from = parts.len() - 1;
+            let (to, part) = (from + 1..=last).find_map(|k| Some((k, known(k)?)))?;
+            let step = (part - parts[from]) / (to - from) as f64;
+            let spread = step * branch.curve.length / self.edge;
+            if !(1.0 / STRETCH..=STRETCH).contains(&spread) {
+                return None;
+            }
+            let first = parts[from];
+            parts.extend((1..=to - from).map(|k| first + step * k as f64));
+        }
+        Some(parts)
+    }
+
+    /// Which fixed vertices are on a crease.
+    fn on(&self, branch: &Branch) -> Vec<bool> {
+        let near = |(v, x): (usize, &Vector3<f64>)| {
+            !self.domain.region.is_free(v as u32) && branch.curve.nearest(x).1 < ON * self.edge
+        };
+        self.x.iter().enumerate().map(near).collect()
+    }
+
+    /// The boundary vertex that the caller calls so.
+    fn local(&self, id: u32) -> Option<u32> {
+        let region = &self.domain.region;
+        let boundary = region.free..region.region_vertices();
+        let mut boundary = boundary.map(|v| v as u32);
+        boundary.find(|&v| region.vertex_ids[v as usize] == id)
+    }
+
+    /// How far each vertex is off the crease, across it and in edges, squared.
+    fn costs(&self, branch: &Branch) -> Vec<f64> {
+        let across = branch.across();
+        let off = |x: &Vector3<f64>| {
+            let near = across
+                .iter()
+                .min_by(|a, b| (x - a.0).norm_squared().total_cmp(&(x - b.0).norm_squared()));
+            near.map_or(0.0, |(at, across)| ((x - at).dot(across) / self.edge).powi(2))
+        };
+        self.x.iter().map(off).collect()
+    }
+
+    /// The free vertex to which all creases of a corner come cheapest.
+    fn corner(&self, group: &Group, costs: &[Vec<f64>]) -> Option<u32> {
+        let mut sum = vec![0.0; self.domain.region.free];
+        for (branch, costs) in group.branches.iter().zip(costs) {
+            let reach = self.reach(self.local(branch.from)?, NONE, costs, &self.on(branch));
+            let corner = branch.curve.at(1.0).at;
+            let way = |v: usize| reach.cost[v] + (self.x[v] - corner).norm() / self.edge;
+            sum.iter_mut().enumerate().for_each(|(v, sum)| *sum += way(v));
+        }
+        let best = (0..sum.len()).min_by(|&a, &b| sum[a].total_cmp(&sum[b]))?;
+        sum[best].is_finite().then_some(best as u32)
+    }
+
+    /// Dijkstra's shortest paths from a boundary vertex over those that are free or on the crease, and not taken, until `to` is reached.
+    fn reach(&self, from: u32, to: u32, off: &[f64], on: &[bool]) -> Reach {
+        let mut reach = Reach {
+            cost: vec![f64::INFINITY; self.x.len()],
+            before: vec![NONE; self.x.len()],
+        };
+        reach.cost[from as usize] = 0.0;
+        // The bits of numbers that are not negative are ordered as they are.
+        let mut open = BinaryHeap::from([Reverse((0u64, from))]);
+        while let Some(Reverse((bits, v))) = open.pop() {
+            if v == to {
+                break;
+            }
+            if f64::from_bits(bits) > reach.cost[v as usize] {
+                continue;
+            }
+            for &w in self.domain.rings.neighbours(v as usize) {
+                let is_open = (self.domain.region.is_free(w) || on[w as usize]) && !self.taken[w as usize];
+                if w != to && !is_open {
+                    continue;
+                }
+                let length = (self.x[w as usize] - self.x[v as usize]).norm() / self.edge;
+                let mean = 0.5 * (off[v as usize] + off[w as usize]);
+                let cost = reach.cost[v as usize] + length * (ON_CREASE + mean);
+                if cost < reach.cost[w as usize] {
+                    reach.cost[w as usize] = cost;
+                    reach.before[w as usize] = v;
+                    open.push(Reverse((cost.to_bits(), w)));
+                }
+            }
+        }
+        reach
+    }
+
+    /// Without detours: no two vertices that are not neighbours along the path are neighbours.
+    fn shortened(&self, path: Vec<u32>) -> Vec<u32> {
+        let mut short = vec![path[0]];
+        let mut at = 0;
+        while at + 1 < path.len() {
+            let beside = self.domain.rings.neighbours(path[at] as usize);
+            let last = (at + 1..path.len()).rev().find(|&k| beside.contains(&path[k]));
+            at = last.unwrap_or(at + 1);
+            short.push(path[at]);
+        }
+        short
+    }
+}
+
+impl Reach {
+    /// The way to a vertex, from the first on.
+    fn path(&self, to: u32) -> Option<Vec<u32>> {
+        let mut path = vec![to];
+        let mut at = to;
+        while self.before[at as usize] != NONE {
+            at = self.before[at as usize];
+            path.push(at);
+        }
+        path.reverse();
+        (path.len() > 1).then_some(path)
+    }
+}
+
+/// Moves every free vertex to the mean of its neighbours; `None` where that is not determined.
+fn relax(domain: &Domain, x: &mut [Vector3<f64>]) -> Option<()> {
+    let (rings, free) = (&domain.rings, domain.region.free);
+    let graph = rings.graph();
+    let order = fill_reducing(&graph, &graph, 1, None);
+    let mut factor = Cholesky::<f64>::new(Arc::new(Symbolic::new(&graph, &order)));
+    let mut values = vec![-1.0; graph.column.len()];
+    for v in 0..free {
+        values[graph.start[v + 1] - 1] = rings.ring(v).len() as f64;
+    }
+    factor.factor(&values).ok()?;
+    let fixed = |v: usize| rings.ring(v).iter().filter(|w| !domain.region.is_free(**w));
+    let right = (0..free).map(|v| fixed(v).map(|&w| x[w as usize]).sum::<Vector3<f64>>().into());
+    let mut solution: Vec<[f64; 3]> = right.collect();
+    factor.solve(&mut solution, &mut SolveWork::default());
+    for (x, p) in x.iter_mut().zip(&solution) {
+        *x = (*p).into();
+    }
+    Some(())
+}

@@ -1,0 +1,45 @@
+//! What is told of the sharp edges that reach the boundary.
+
+use crate::support::table::choices;
+
+/// A crease of the surroundings that arrives at the boundary of a region.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CreaseEnd {
+    /// The boundary vertex at which it arrives.
+    pub vertex: u32,
+    /// Unit tangent, into the region.
+    pub direction: [f64; 3],
+    /// Unit normals of the surface left and right of it.
+    pub normals: [[f64; 3]; 2],
+    /// The angle between them, degrees: above 0 on a ridge, below on a groove.
+    pub angle: f64,
+    /// The standard error of the angle, degrees.
+    pub error: f64,
+    /// The vertices outside along the crease, from `vertex` on.
+    pub chain: Vec<u32>,
+}
+
+choices! {
+    /// What became of ends of creases that belong together.
+    #[non_exhaustive]
+    SharpFate {
+        0 "goes_on" GoesOn => "the crease goes on through the region, from end to end", "";
+        1 "corner" Corner => "three creases go on to a corner in the region", "";
+        2 "alone" Alone => "no other end fits it: the region is smooth there",
+            "select so much that the crease ends outside, or leaves the region again";
+        3 "no_path" NoPath => "no path of edges can follow the crease: the region is smooth there",
+            "triangulate the region anew";
+    }
+}
+
+/// Ends of creases that belong together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SharpEdge {
+    /// One, two or three.
+    pub ends: Vec<CreaseEnd>,
+    /// What became of them.
+    pub fate: SharpFate,
+    /// The vertices along the creases, from end to end, or from each end to the corner one after the other; empty where it does not go on. Those
+    /// that were free have been placed on the creases.
+    pub vertices: Vec<u32>,
+}

@@ -1,0 +1,184 @@
+//! Sharp edges that reach the boundary of a region go on through it: exact solids at several places, sizes and seeds.
+
+use crate::fairing::*;
+use crate::tier::tier;
+use fairmesh::{Options, SharpFate, Solution};
+use fairmesh_shapes::*;
+
+/// A piece of a solid about a place of its chart, with edges of about `edge`.
+fn piece(of: Creased, centre: [f64; 2], edge: f64, seed: u64) -> Shape {
+    let n = (3.6276 * 0.25 / (edge * edge)) as usize;
+    creased(of, (centre, 0.5), n, irregular(seed), 6)
+}
+
+fn sharp_options() -> Options {
+    Options {
+        sharp: 20.0,
+        ..options(1e-9)
+    }
+}
+
+/// How far a point is from the surface of the solid.
+fn distance(of: Creased, p: [f64; 3]) -> f64 {
+    let [x, y, z] = p;
+    let r = x.hypot(y);
+    match of {
+        Creased::Wedge(degrees) => {
+            let (s, c) = degrees.to_radians().sin_cos();
+            let (first, second) = (z, y * s + z * c);
+            if (degrees > 0.0) == (first < second) {
+                second.abs()
+            } else {
+                first.abs()
+            }
+        }
+        Creased::CappedCylinder => (r - 1.0).max(z).abs(),
+        Creased::Cone(degrees) => {
+            let (s, c) = degrees.to_radians().sin_cos();
+            ((r - 1.0) * c - z * s).max(z).abs()
+        }
+        Creased::Tee(radius) => {
+            let small = y.hypot(z) - radius;
+            (r - 1.0).min(small).abs()
+        }
+        Creased::CubeCorner => x.max(y).max(z).abs(),
+    }
+}
+
+fn worst(of: Creased, shape: &Shape, solution: &Solution) -> f64 {
+    let free = shape.free_vertices().into_iter();
+    Errors::of(free.map(|v| distance(of, solution.positions[v as usize]))).max
+}
+
+/// Edges of .06, or what else.
+const EDGE: f64 = 0.06;
+/// Where the crease passes the middle of the region.
+const PLACES: [[f64; 2]; 3] = [[0.1, 0.05], [0.0, 0.2], [-0.1, -0.1]];
+
+/// Fairs a piece whose interior is destroyed, and says how far it is off; all creases have to go on.
+fn off(of: Creased, centre: [f64; 2], edge: f64, seed: u64) -> f64 {
+    let shape = piece(of, centre, edge, seed);
+    let solution = solve_as_asked(&shape, &shape.noise(seed, 0.5), sharp_options());
+    let what = format!("{of:?} {centre:?} {edge} {seed}");
+    let error = worst(of, &shape, &solution);
+    println!("{what}: {error:.1e}");
+    assert_success(&solution.report.outcome);
+    let fates: Vec<SharpFate> = solution.report.sharp_edges.iter().map(|edge| edge.fate).collect();
+    let wanted = match of {
+        Creased::CubeCorner => SharpFate::Corner,
+        _ => SharpFate::GoesOn,
+    };
+    assert_eq!(fates, [wanted], "{what}");
+    error
+}
+
+/// The largest error at three places, for some seeds.
+fn at_places(of: Creased, edge: f64) -> f64 {
+    let seeds = 1..=*tier(&2, &10);
+    let cases = PLACES
+        .iter()
+        .flat_map(|p| seeds.clone().map(move |seed| (*p, seed)));
+    cases
+        .map(|(place, seed)| off(of, place, edge, seed))
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn edges_and_corners_of_planes_are_exact() {
+    for degrees in [30.0, -30.0, 90.0, -90.0, 150.0] {
+        assert_below!(at_places(Creased::Wedge(degrees), EDGE), 1e-6);
+    }
+    assert_below!(at_places(Creased::CubeCorner, EDGE), 1e-6);
+}
+
+#[test]
+fn the_rim_of_a_cylinder_is_met_to_second_order() {
+    assert_below!(at_places(Creased::CappedCylinder, EDGE), 1e-4);
+    let sizes = [0.12, 0.06, 0.03];
+    let median = |edge: f64| {
+        let seeds = 1..=7;
+        let mut errors: Vec<f64> = seeds
+            .map(|seed| off(Creased::CappedCylinder, PLACES[2], edge, seed))
+            .collect();
+        errors.sort_by(f64::total_cmp);
+        errors[3]
+    };
+    let errors = sizes.map(median);
+    let vertices = sizes.map(|edge| (1.0 / (edge * edge)) as usize);
+    assert_above!(order(&errors, &vertices), 2.0);
+}
+
+/// A cone is not harmonic, nor is a curve in space known by its ends alone.
+#[test]
+fn other_edges_are_near() {
+    assert_below!(at_places(Creased::Cone(30.0), EDGE), 2e-3);
+    assert_below!(at_places(Creased::Tee(0.6), EDGE), 5e-2);
+}
+
+/// Of twenty ends one or two are not found.
+#[test]
+fn noise_of_a_tenth_of_an_edge_hides_few_right_angles() {
+    let mut found = 0;
+    for seed in 1..=10 {
+        let of = Creased::Wedge(90.0);
+        let mut shape = piece(of, PLACES[0], EDGE, seed);
+        let free = shape.free.clone();
+        shape.free.fill(true);
+        let noisy = shape.noise(seed, 0.1);
+        shape.free = free;
+        let solution = solve_as_asked(&shape, &noisy, sharp_options());
+        let edges = &solution.report.sharp_edges;
+        let error = worst(of, &shape, &solution) / EDGE;
+        println!(
+            "{seed}: off by {error:.2} edges, {:?}, {edges:?}",
+            solution.report.outcome
+        );
+        if edges.iter().any(|edge| edge.fate == SharpFate::GoesOn) {
+            found += 1;
+            assert_below!(error, 1.0);
+        }
+    }
+    assert_above!(found, 7);
+}
+
+#[test]
+fn what_is_smooth_keeps_its_bits() {
+    for seed in 1..=3 {
+        let shape = sphere_cap(60.0, 400, irregular(seed), 6);
+        let x = flat(&shape);
+        let [with, without] =
+            [sharp_options(), options(1e-9)].map(|options| solve_as_asked(&shape, &x, options));
+        assert_eq!(with.report.sharp_edges, []);
+        assert_eq!(with.positions, without.positions);
+    }
+}
+
+/// Where an end fits no other, nothing changes, and the report says so.
+#[test]
+fn an_end_alone_is_told() {
+    let of = Creased::Wedge(90.0);
+    let shape = piece(of, PLACES[0], EDGE, 1);
+    let ends = fairmesh::crease_ends(
+        &shape.positions,
+        &shape.triangles,
+        fairmesh::Selection::Mask(&shape.free),
+        fairmesh::Coincident::default(),
+        20.0,
+    );
+    let ends = ends.unwrap();
+    assert_eq!(ends.len(), 2);
+    // Given normals say that the surface is smooth at one of them.
+    let given = vec![(ends[0].vertex, ends[0].normals[0])];
+    let given = fairmesh::BoundaryNormals::Given(given);
+    let [with, without] = [sharp_options(), options(1e-9)].map(|options| {
+        let options = Options {
+            boundary_normals: given.clone(),
+            ..options
+        };
+        solve_as_asked(&shape, &shape.positions, options)
+    });
+    assert_eq!(with.positions, without.positions);
+    assert_eq!(with.report.sharp_edges.len(), 1);
+    assert_eq!(with.report.sharp_edges[0].fate, SharpFate::Alone);
+    assert_eq!(with.report.sharp_edges[0].ends[0].vertex, ends[1].vertex);
+}
