@@ -115,14 +115,15 @@ pub(crate) fn in_given(error: Error, copies: &Copies, options: &Options) -> Erro
     }
 }
 
-/// Moves the copies of free vertices with them, and lists what vertices have for all of their copies.
-pub(super) fn spread(solution: &mut Solution, copies: &Copies) {
+/// Moves the copies of free vertices with them, and of those on sharp edges that have been placed; lists what vertices have for all of their copies.
+pub(super) fn spread(solution: &mut Solution, given: &[[f64; 3]], copies: &Copies) {
     if copies.is_empty() {
         return;
     }
     let free = &solution.mean_curvature;
     for &(v, copy) in copies.pairs() {
-        if free.binary_search_by_key(&v, |entry| entry.0).is_ok() {
+        let has_moved = solution.positions[v as usize] != given[v as usize];
+        if has_moved || free.binary_search_by_key(&v, |entry| entry.0).is_ok() {
             solution.positions[copy as usize] = solution.positions[v as usize];
         }
     }

@@ -218,7 +218,7 @@ fn run_joined<'a>(
         progress,
     )
     .map_err(|error| in_given(error, &joined.copies, options))?;
-    joined::spread(&mut solution, &joined.copies);
+    joined::spread(&mut solution, positions, &joined.copies);
     solution.report.seconds.setup += seconds;
     solution.report.seconds.total += seconds;
     Ok(solution)

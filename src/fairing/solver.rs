@@ -165,13 +165,9 @@ impl Input {
 
     /// The solution of all components. On the workers: it looks for intersections on all of them.
     fn whole(&self, components: &Components, edits: &ResolvedEdits) -> Solution {
-        let mut solution = whole(
-            &self.edited(edits),
-            &self.triangles,
-            &self.options,
-            &components.solutions,
-        );
-        spread(&mut solution, &self.copies);
+        let edited = self.edited(edits);
+        let mut solution = whole(&edited, &self.triangles, &self.options, &components.solutions);
+        spread(&mut solution, &edited, &self.copies);
         solution
     }
 }

@@ -63,7 +63,7 @@ fn distances_along_the_surface_are_those_of_the_smooth_surface() {
 }
 
 /// A cube of so many squares along each edge, its corners and edges not rounded; every square of two triangles.
-fn cube(n: u32) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+pub(crate) fn cube(n: u32) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     let (mut positions, mut triangles) = (Vec::new(), Vec::new());
     for side in 0..6 {
         let first = positions.len() as u32;

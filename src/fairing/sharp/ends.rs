@@ -23,7 +23,7 @@ const OF_EDGES: f64 = 0.5;
 const NEXT: f64 = 0.5;
 /// A chain turns by no more than this from edge to edge, degrees.
 const TURN: f64 = 50.0;
-/// An edge that bends by less than this part of the angle asked for begins no chain.
+/// An edge that bends by less than this part of the angle asked for is in no chain.
 const FIRST_BEND: f64 = 0.5;
 
 /// The ends of creases of at least so many degrees at the boundary of the region of the free vertices, by their vertices.
@@ -43,7 +43,7 @@ pub(super) fn normals_near(outside: &Outside<'_>, ends: &[&CreaseEnd]) -> Vec<(u
 fn end_at(outside: &Outside<'_>, v: u32, least: f64) -> Option<CreaseEnd> {
     let bends = |w: &u32| outside.bend(v, *w).abs() >= FIRST_BEND * least;
     let first = outside.neighbours(v).into_iter().filter(bends);
-    let mut ends = first.filter_map(|w| along(outside, chain(outside, v, w), least));
+    let mut ends = first.filter_map(|w| along(outside, chain(outside, v, w, least), least));
     let end = ends.next()?;
     ends.next().is_none().then_some(end)
 }
@@ -104,8 +104,8 @@ impl Fold {
     }
 }
 
-/// The edges that bend most, one after the other, from `v` over `w` as far as fits reach.
-fn chain(outside: &Outside<'_>, v: u32, w: u32) -> Vec<u32> {
+/// The edges that bend most, one after the other, from `v` over `w` as far as fits reach, or until none bends by enough: at a corner.
+fn chain(outside: &Outside<'_>, v: u32, w: u32, least: f64) -> Vec<u32> {
     let mut chain = vec![v, w];
     let sign = outside.bend(v, w).signum();
     let straightest = libm::cos(TURN.to_radians());
@@ -116,7 +116,7 @@ fn chain(outside: &Outside<'_>, v: u32, w: u32) -> Vec<u32> {
             let step = (outside.position(next) - outside.position(last)).normalize();
             let straight = step.dot(&direction);
             let bend = outside.bend(last, next) * sign;
-            (straight > straightest && bend > 0.0).then_some((straight * bend, next))
+            (straight > straightest && bend >= FIRST_BEND * least).then_some((straight * bend, next))
         };
         let neighbours = outside.neighbours(last).into_iter().filter_map(sharpness);
         match neighbours.max_by(|a, b| a.0.total_cmp(&b.0)) {
