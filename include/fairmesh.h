@@ -964,6 +964,31 @@ typedef uint32_t fairmesh_on_failure;
 #endif // __cplusplus
 
 /**
+ * What closes a loop that lies in a plane. Numbers are never reused.
+ */
+enum fairmesh_cap
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * A fair patch, which continues the surroundings and bulges as they do.
+     */
+    FAIRMESH_CAP_FAIR = 0,
+    /**
+     * The plane, with a sharp edge along the loop; loops that are in no plane get a fair patch.
+     */
+    FAIRMESH_CAP_FLAT = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_cap fairmesh_cap;
+#else
+typedef uint32_t fairmesh_cap;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
  * A part of space. Numbers are never reused.
  */
 enum fairmesh_place_kind
@@ -1900,10 +1925,6 @@ typedef struct fairmesh_fill_options {
      */
     uint32_t on_failure;
     /**
-     * A `fairmesh_cap`: what closes a loop that lies in a plane, to a thousandth of its diagonal, as where a part was cut off. Default: a fair patch.
-     */
-    uint32_t cap;
-    /**
      * Not 0: the patches are faired. Default: yes.
      */
     uint32_t fair;
@@ -1911,10 +1932,6 @@ typedef struct fairmesh_fill_options {
      * Not 0: the loops of the list `loops` only, also where it is empty: then nothing is filled but groups of loops that are joined.
      */
     uint32_t only_listed;
-    /**
-     * Zero.
-     */
-    uint32_t reserved;
     /**
      * Which of them get one patch together. Default: none.
      */
@@ -1951,6 +1968,14 @@ typedef struct fairmesh_fill_options {
      * Which holes, if `loops` does not say it. All zero (default): all of them.
      */
     struct fairmesh_loop_filter filter;
+    /**
+     * A `fairmesh_cap`: what closes a loop that lies in a plane, to a thousandth of its diagonal, as where a part was cut off. Default: a fair patch.
+     */
+    uint32_t cap;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
 } fairmesh_fill_options;
 
 /**

@@ -114,14 +114,10 @@ pub struct fairmesh_fill_options {
     pub struct_size: u32,
     /// A `fairmesh_on_failure`: what a loop gets whose patch is no success. Default: the best surface there is.
     pub on_failure: u32,
-    /// A `fairmesh_cap`: what closes a loop that lies in a plane, to a thousandth of its diagonal, as where a part was cut off. Default: a fair patch.
-    pub cap: u32,
     /// Not 0: the patches are faired. Default: yes.
     pub fair: u32,
     /// Not 0: the loops of the list `loops` only, also where it is empty: then nothing is filled but groups of loops that are joined.
     pub only_listed: u32,
-    /// Zero.
-    pub reserved: u32,
     /// Which of them get one patch together. Default: none.
     pub join: fairmesh_join,
     /// Pairs of vertices of the boundary that the triangulation shall have an edge between, before it is refined. On one loop a guide divides what is triangulated, as across a long tear; between two loops that are joined it is where their patch is cut open. No vertex is in two of them. The patch is faired as a whole: it has no crease there. Default: none. Two indices side by side.
@@ -140,6 +136,10 @@ pub struct fairmesh_fill_options {
     pub loops: fairmesh_indices,
     /// Which holes, if `loops` does not say it. All zero (default): all of them.
     pub filter: fairmesh_loop_filter,
+    /// A `fairmesh_cap`: what closes a loop that lies in a plane, to a thousandth of its diagonal, as where a part was cut off. Default: a fair patch.
+    pub cap: u32,
+    /// Zero.
+    pub reserved: u32,
 }
 
 impl fairmesh_fill_options {
@@ -148,10 +148,8 @@ impl fairmesh_fill_options {
         Self {
             struct_size: size_of::<Self>() as u32,
             on_failure: fairmesh_on_failure::Best as u32,
-            cap: fairmesh_cap::Fair as u32,
             fair: 1,
             only_listed: 0,
-            reserved: 0,
             join: fairmesh_join::default(),
             guides: fairmesh_indices::default(),
             density: 1.4142135623730951,
@@ -161,12 +159,14 @@ impl fairmesh_fill_options {
             max_edges: u64::MAX,
             loops: fairmesh_indices::default(),
             filter: fairmesh_loop_filter::default(),
+            cap: fairmesh_cap::Fair as u32,
+            reserved: 0,
         }
     }
 
     /// Where an option is in this argument.
     pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
-        field_named!(argument, option, Self: on_failure cap fair only_listed join guides density max_new_vertices relax_rim relax_within max_edges loops filter)
+        field_named!(argument, option, Self: on_failure fair only_listed join guides density max_new_vertices relax_rim relax_within max_edges loops filter cap)
     }
 
     /// What needs no arrays and has no values of its own; all else as it is by default.

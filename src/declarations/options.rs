@@ -26,7 +26,7 @@ use fairmesh::{
 ";
 
 /// Options that have come since the structs were published stand at their ends, where zero means what was before.
-const LATER: [&str; 1] = ["sharp"];
+const LATER: [&str; 2] = ["cap", "sharp"];
 
 /// A struct of the C interface.
 pub struct OptionStruct {
@@ -114,16 +114,24 @@ impl OptionStruct {
             ]
         });
         let besides = self.besides.iter().map(|field| field.map(str::to_owned));
-        let (mut small, mut large): (Vec<_>, Vec<_>) =
-            options.chain(besides).partition(|field| field[1] == "u32");
-        if small.len() % 2 == 0 {
-            small.push(["reserved", "u32", "Zero.", "0"].map(str::to_owned));
-        }
-        // Stable: all else stays in its order.
-        large.sort_by_key(|field| LATER.contains(&field[0].as_str()));
-        small.extend(large);
-        small
+        let (later, first): (Vec<_>, Vec<_>) = options
+            .chain(besides)
+            .partition(|field| LATER.contains(&field[0].as_str()));
+        // The size is one more of four bytes.
+        let mut fields = in_eights(first, 1);
+        fields.extend(in_eights(later, 0));
+        fields
     }
+}
+
+/// First those of four bytes, besides as many that are there, in pairs.
+fn in_eights(fields: Vec<[String; 4]>, there: usize) -> Vec<[String; 4]> {
+    let (mut small, large): (Vec<_>, Vec<_>) = fields.into_iter().partition(|field| field[1] == "u32");
+    if (small.len() + there) % 2 == 1 {
+        small.push(["reserved", "u32", "Zero.", "0"].map(str::to_owned));
+    }
+    small.extend(large);
+    small
 }
 
 fn c_type(kind: OptionKind) -> String {

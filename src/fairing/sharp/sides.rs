@@ -93,11 +93,13 @@ impl Sides {
     }
 
     /// The plane of all triangles around, if they have one, as those of parts, whose next edge may be near; else the fit to heights, which noise
-    /// does not lead astray, or that to curvatures, if it is more certain and agrees with it.
+    /// does not lead astray, or that to curvatures, if it is more certain and agrees with it. Where that is uncertain, as beside another edge, the
+    /// plane of the nearest triangles: not else, as it may be a facet of a round side.
     fn fit(&self, v: u32) -> Option<Fit> {
         let start = average(&self.x, v as usize, &self.fan(v))?;
-        if let Some(plane) = self.plane(v, start) {
-            return Some(plane);
+        let [plane, narrow] = self.planes(v, start);
+        if plane.is_some() {
+            return plane;
         }
         let mut heights = EightRingSamples::default();
         // Noise and thin sectors need more vertices.
@@ -106,7 +108,9 @@ impl Sides {
             heights.fit(start)
         });
         let coarse = coarse.reduce(|a, b| if b.error < a.error { b } else { a });
-        let coarse = coarse?;
+        let Some(coarse) = coarse.filter(|fit| narrow.is_none() || fit.error < SMOOTH) else {
+            return narrow;
+        };
         let mut samples = Samples::<RINGS>::default();
         samples.gather(&self.neighbours, &self.x, v as usize, &mut Vec::new());
         let agrees = |fine: &Fit| {
@@ -116,8 +120,8 @@ impl Sides {
         fine.filter(|fine| fine.error < coarse.error).or(Some(coarse))
     }
 
-    /// The plane at a vertex, where it goes through all vertices of two rings, or at least of one.
-    fn plane(&self, v: u32, normal: Vector3<f64>) -> Option<Fit> {
+    /// The plane at a vertex, where it goes through all vertices of two rings, and where it goes through those of one.
+    fn planes(&self, v: u32, normal: Vector3<f64>) -> [Option<Fit>; 2] {
         let mut near = Vec::new();
         let ends: [usize; 2] = self.neighbours.rings(v, &mut near);
         let slope = |w: &u32| {
@@ -128,7 +132,7 @@ impl Sides {
             let error = near[..end].iter().map(slope).fold(0.0, f64::max);
             (end >= FEWEST && error < FLAT).then_some(Fit { normal, error })
         };
-        within(ends[1]).or_else(|| within(ends[0]))
+        [within(ends[1]), within(ends[0])]
     }
 
     /// The triangles at a vertex by their other corners.
