@@ -60,7 +60,7 @@ def lines(head: list[str], rows: Iterable[list[str]]) -> str:
 
 def table(rows: list[Row]) -> str:
     """The programs of a class, the nearest first."""
-    head = ["rank", "program", "rms", "seeds", "worst", "nearest", "good", "failed", "flawed", "crease", "jump of H", "CPU s", "MB"]
+    head = ["rank", "program", "rms", "seeds", "worst", "nearest", "good", "failed", "flawed", "moved", "angle", "crease", "jump of H", "CPU s", "MB"]
     return lines(head, map(_of, standings(rows)))
 
 
@@ -76,6 +76,8 @@ def _of(one: Standing) -> list[str]:
         str(one.good),
         str(len(one.rows) - len(done)),
         str(sum(not is_sound(each) for each in done)),
+        str(sum((each.moved or 0) > 0 for each in done)),
+        _median([each.smallest_angle for each in done], ".2g"),
         _median([each.crease for each in done], ".2g"),
         _median([each.jump for each in done], ".2g"),
         _median([each.cpu for each in done], ".2g"),
@@ -182,7 +184,8 @@ Written by `benchmark/run.sh` ([how it works](../benchmark/README.md)): {cases} 
   the geometric mean. A failure counts as 100, what is nearer than .01 as .01. *seeds*: the same of each seed by itself, the least and the largest; the rank
   likewise. Ties have one rank, and are all *nearest*.
 - *good*: nearer than 1 %, or three times as far as the nearest one; sound, and with a crease at the rim of at most 10 degrees beyond the truth's.
-- *flawed*: folded, crossing itself, with edges of three triangles, or open. A failure has no result.
+- *flawed*: folded, crossing itself, with edges of three triangles, or open. A failure has no result. *moved*: old vertices are not where they were, to the bit.
+- *angle*: the smallest of the new triangles, degrees, the median.
 - *crease*: degrees at the rim beyond the truth's; *jump of H*: of mean curvature there, over the width, beyond the truth's. Both are medians; CPU seconds and
   memory, too, which are of the call, of command lines with reading and writing.
 
