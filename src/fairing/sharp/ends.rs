@@ -12,8 +12,8 @@ use crate::discrete::boundary_normals::angle;
 use crate::discrete::outside_fit::{BESIDE, Fit};
 use crate::fairing::sharp_edge::CreaseEnd;
 
-/// So many standard errors of the fits are no chance: with half as many, 26 of 80 regions of four scans have ends. Of 20 right angles in noise of
-/// a tenth of an edge 19 are found.
+/// So many standard errors of the fits are no chance: with half as many, 26 of 80 regions of four scans have ends. Of ten right angles in noise of a
+/// tenth of an edge nine are followed from end to end.
 const SIGNIFICANT: f64 = 12.0;
 /// Fits with larger standard errors tell nothing, degrees.
 const UNCERTAIN: f64 = 9.0;
