@@ -25,6 +25,7 @@ use crate::output::Output;
 use crate::report::{Summary, Times};
 use crate::seams;
 use crate::selection::{self, RegionArgs};
+use crate::sharp_edges::SharpArgs;
 use crate::solver::SolverArgs;
 use crate::surface::{IntersectionArgs, MeshArgs, SurfaceArgs};
 use input::FairInput;
@@ -61,17 +62,8 @@ pub struct FairArgs {
     normals: PathBuf,
     #[command(flatten)]
     continuity: ContinuityArgs,
-    /// Sharp edges that reach the boundary go on through the region: 'auto', those that
-    /// are certain; DEGREES, those that bend by so much or more; 'off', none
-    #[arg(
-        long,
-        value_name = "WHICH",
-        default_value = "off",
-        value_parser = sharp,
-        help_heading = "Surface",
-        verbatim_doc_comment
-    )]
-    sharp: f64,
+    #[command(flatten)]
+    sharp: SharpArgs,
     #[command(flatten)]
     surface: SurfaceArgs,
     #[command(flatten)]
@@ -100,23 +92,6 @@ pub struct FairArgs {
         verbatim_doc_comment
     )]
     threads: usize,
-}
-
-/// The bend from which on `--sharp auto` follows an edge, degrees: less than those of 30 on parts.
-const CERTAIN: f64 = 20.0;
-
-/// Reads `--sharp`.
-fn sharp(text: &str) -> Result<f64, String> {
-    match text {
-        "auto" => Ok(CERTAIN),
-        "off" => Ok(0.0),
-        _ => {
-            let degrees = text.parse::<f64>().ok();
-            degrees
-                .filter(|degrees| (0.0..=180.0).contains(degrees))
-                .ok_or_else(|| "expected auto, off or an angle from 0 to 180 degrees".to_owned())
-        }
-    }
 }
 
 /// Runs the command on every mesh.
@@ -283,7 +258,7 @@ fn solve(
         continuity: args.continuity.continuity,
         loop_continuity: input.loop_continuity.clone(),
         boundary_curvature: input.boundary_curvature.clone(),
-        sharp: args.sharp,
+        sharp: args.sharp.sharp,
         target: surface.target,
         inner_fairness: surface.inner_fairness(),
         discretization: surface.discretization(),

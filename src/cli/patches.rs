@@ -12,6 +12,7 @@ use crate::formats::pipe_args::Piped;
 use crate::formats::{Format, MeshFile};
 use crate::orientation::oriented;
 use crate::output::Output;
+use crate::sharp_edges::SharpArgs;
 use crate::surface::{IntersectionArgs, MeshArgs};
 
 /// What closes a boundary that lies in a plane.
@@ -38,6 +39,8 @@ pub struct PatchArgs {
     /// Triangulate and refine only, without fairing
     #[arg(long)]
     no_fair: bool,
+    #[command(flatten)]
+    sharp: SharpArgs,
     /// What closes a boundary that lies in a plane, as where a part was cut off
     #[arg(long, value_name = "WHAT", value_enum, default_value_t)]
     cap: CapKind,
@@ -98,6 +101,7 @@ impl PatchArgs {
                 threads: self.threads,
                 intersections: self.intersections.intersections(),
                 coincident: self.mesh.coincident,
+                sharp: self.sharp.sharp,
                 ..Options::default()
             },
             ..defaults

@@ -1,9 +1,43 @@
-//! What became of the sharp edges that reach the boundary.
+//! Sharp edges that reach the boundary: which go on, and what became of them.
 
+use clap::Args;
 use fairmesh::{SharpEdge, SharpFate};
 use serde_json::{Value, json};
 
 use crate::figures::significant;
+
+/// The flag.
+#[derive(Debug, Args)]
+pub struct SharpArgs {
+    /// Sharp edges that reach the boundary go on through the region: 'auto', those that
+    /// are certain; DEGREES, those that bend by so much or more; 'off', none
+    #[arg(
+        long,
+        value_name = "WHICH",
+        default_value = "off",
+        value_parser = sharp,
+        help_heading = "Surface",
+        verbatim_doc_comment
+    )]
+    pub sharp: f64,
+}
+
+/// The bend from which on `--sharp auto` follows an edge, degrees: less than those of 30 on parts.
+const CERTAIN: f64 = 20.0;
+
+/// Reads `--sharp`.
+fn sharp(text: &str) -> Result<f64, String> {
+    match text {
+        "auto" => Ok(CERTAIN),
+        "off" => Ok(0.0),
+        _ => {
+            let degrees = text.parse::<f64>().ok();
+            degrees
+                .filter(|degrees| (0.0..=180.0).contains(degrees))
+                .ok_or_else(|| "expected auto, off or an angle from 0 to 180 degrees".to_owned())
+        }
+    }
+}
 
 /// Lines for people, one for each edge or corner.
 pub fn lines(edges: &[SharpEdge]) -> Vec<String> {
