@@ -19,7 +19,7 @@ ENUMERATIONS = ("Status", "Outcome", "LooseReason", "FillOutcome", "FillReason")
 # Of programs alone: arguments of a call, which the add-on's own calls do not get wrong.
 OF_CALLS = range(1, 12)
 # What the library's options are called there and, or so, everywhere.
-EVERYWHERE = set("fair smooth open loops vertices faces check free join input flat best threads fill single".split())
+EVERYWHERE = set("fair sharp smooth open loops vertices faces check free join input flat best threads fill single".split())
 
 
 def said():
