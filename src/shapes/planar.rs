@@ -14,15 +14,7 @@ pub(super) fn margin(outside: usize) -> f64 {
 
 /// A disc of the given radius about the origin, triangulated.
 pub(super) fn disc_chart(radius: f64, n: usize, sampling: Sampling, outside: usize) -> Chart<[f64; 2]> {
-    let mut disc = Disc {
-        radius,
-        rectangle: None,
-        h: 0.0,
-        reach: 0.0,
-    };
-    let count = lattice_count(n, sampling, &disc);
-    disc.h = (TAU * radius * radius / (3f64.sqrt() * count)).sqrt();
-    disc.reach = radius + margin(outside) * disc.h;
+    let disc = Disc::new(radius, n, sampling, outside);
     let points = sample(&disc, sampling);
     let free: Vec<bool> = points.iter().map(|p| p[0].hypot(p[1]) < radius).collect();
     cut(&points, &delaunay(&points), &free, outside)
@@ -36,15 +28,7 @@ pub(super) fn disc_chart_along(
     sampling: Sampling,
     outside: usize,
 ) -> Chart<[f64; 2]> {
-    let mut disc = Disc {
-        radius,
-        rectangle: None,
-        h: 0.0,
-        reach: 0.0,
-    };
-    let count = lattice_count(n, sampling, &disc);
-    disc.h = (TAU * radius * radius / (3f64.sqrt() * count)).sqrt();
-    disc.reach = radius + margin(outside) * disc.h;
+    let disc = Disc::new(radius, n, sampling, outside);
     let directions: Vec<[f64; 2]> = rays
         .iter()
         .map(|ray| [ray.to_radians().cos(), ray.to_radians().sin()])
@@ -110,6 +94,22 @@ struct Disc {
     rectangle: Option<[f64; 2]>,
     h: f64,
     reach: f64,
+}
+
+impl Disc {
+    /// About the origin, of this radius, with room for the triangles outside.
+    fn new(radius: f64, n: usize, sampling: Sampling, outside: usize) -> Self {
+        let mut disc = Self {
+            radius,
+            rectangle: None,
+            h: 0.0,
+            reach: 0.0,
+        };
+        let count = lattice_count(n, sampling, &disc);
+        disc.h = (TAU * radius * radius / (3f64.sqrt() * count)).sqrt();
+        disc.reach = radius + margin(outside) * disc.h;
+        disc
+    }
 }
 
 impl Domain for Disc {
