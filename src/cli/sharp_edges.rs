@@ -22,7 +22,8 @@ pub struct SharpArgs {
     pub sharp: f64,
 }
 
-/// The bend from which on `--sharp auto` follows an edge, degrees: less than those of 30 on parts.
+/// The bend from which on `--sharp auto` follows an edge, degrees: less than those of 30 on parts. Half or double, of 33 regions across edges of parts: 1 changes;
+/// none changes.
 const CERTAIN: f64 = 20.0;
 
 /// Reads `--sharp`.
