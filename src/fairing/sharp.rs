@@ -56,7 +56,7 @@ impl SharpEdges {
         let goes_on = told.iter().filter(|edge: &&SharpEdge| !edge.vertices.is_empty());
         let ends: Vec<&CreaseEnd> = goes_on.flat_map(|edge| &edge.ends).collect();
         let parted = (!creases.is_empty()).then(|| {
-            let mut near = ends::normals_near(&outside, &ends);
+            let mut near = ends::normals_near(&outside, &ends, options.sharp);
             near.retain(|(v, _)| !given.has(*v));
             PartedProblem::new((positions, triangles), &is_free, &creases, (&ends, near))
         });

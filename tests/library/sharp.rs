@@ -184,37 +184,51 @@ fn an_end_alone_is_told() {
     assert_eq!(with.report.sharp_edges[0].ends[0].vertex, ends[1].vertex);
 }
 
-/// On a small part the next corner is five edges away, and wide fits see three faces.
-#[test]
-fn ends_are_found_beside_other_edges() {
+/// A cube with dented vertices about a point, faired: where it is after that is exact, and this many ends were found.
+fn dented_cube(centre: impl Fn(f64, f64) -> [f64; 3], radius: f64, count: usize) {
     let (positions, triangles) = cube(8);
     let all = || positions.iter().flatten();
     let (low, high) = (
         all().copied().fold(f64::MAX, f64::min),
         all().copied().fold(f64::MIN, f64::max),
     );
-    for (centre, radius, count) in [([low; 3], 0.3, 3), ([low, low, 0.5 * (low + high)], 0.2, 2)] {
-        let far = |p: &[f64; 3]| (0..3).map(|k| (p[k] - centre[k]).powi(2)).sum::<f64>().sqrt();
-        let free: Vec<bool> = positions.iter().map(|p| far(p) < radius * (high - low)).collect();
-        let mut dented = positions.clone();
-        let inside = free.iter().zip(&mut dented).filter(|(free, _)| **free);
-        inside.for_each(|(_, p)| {
-            p.iter_mut()
-                .for_each(|x| *x = 0.7 * *x + 0.3 * 0.5 * (low + high))
-        });
-        let solution = fair(&dented, &triangles, Selection::Mask(&free), &sharp_options()).unwrap();
-        let edges = &solution.report.sharp_edges;
-        assert_eq!(
-            edges.iter().map(|edge| edge.ends.len()).sum::<usize>(),
-            count,
-            "{edges:?}"
-        );
-        assert_success(&solution.report.outcome);
-        let off = |p: &[f64; 3]| {
-            p.iter()
-                .map(|x| (x - low).min(high - x).abs())
-                .fold(f64::MAX, f64::min)
-        };
-        assert_below!(solution.positions.iter().map(off).fold(0.0, f64::max), 1e-6);
+    let centre = centre(low, high);
+    let far = |p: &[f64; 3]| (0..3).map(|k| (p[k] - centre[k]).powi(2)).sum::<f64>().sqrt();
+    let free: Vec<bool> = positions.iter().map(|p| far(p) < radius * (high - low)).collect();
+    let mut dented = positions.clone();
+    let inside = free.iter().zip(&mut dented).filter(|(free, _)| **free);
+    inside.for_each(|(_, p)| {
+        p.iter_mut()
+            .for_each(|x| *x = 0.7 * *x + 0.3 * 0.5 * (low + high))
+    });
+    let solution = fair(&dented, &triangles, Selection::Mask(&free), &sharp_options()).unwrap();
+    let edges = &solution.report.sharp_edges;
+    assert_eq!(
+        edges.iter().map(|edge| edge.ends.len()).sum::<usize>(),
+        count,
+        "{edges:?}"
+    );
+    assert_success(&solution.report.outcome);
+    let off = |p: &[f64; 3]| {
+        p.iter()
+            .map(|x| (x - low).min(high - x).abs())
+            .fold(f64::MAX, f64::min)
+    };
+    assert_below!(solution.positions.iter().map(off).fold(0.0, f64::max), 1e-6);
+}
+
+/// On a small part the next corner is five edges away, and wide fits see three faces.
+#[test]
+fn ends_are_found_beside_other_edges() {
+    dented_cube(|low, _| [low; 3], 0.3, 3);
+    dented_cube(|low, high| [low, low, 0.5 * (low + high)], 0.2, 2);
+}
+
+/// The crease has one or two edges outside before three meet.
+#[test]
+fn ends_are_found_beside_corners() {
+    for cells in [3.0, 4.0] {
+        let along = |low: f64, high: f64| [low, low, low + cells / 8.0 * (high - low)];
+        dented_cube(along, 0.19, 2);
     }
 }

@@ -7,7 +7,7 @@
 use nalgebra::Vector3;
 
 use super::outside::Outside;
-use super::sides::{AROUND, Sides};
+use super::sides::{AROUND, FLAT, Sides};
 use crate::discrete::boundary_normals::angle;
 use crate::discrete::outside_fit::{BESIDE, Fit};
 use crate::fairing::sharp_edge::CreaseEnd;
@@ -34,8 +34,9 @@ pub(crate) fn crease_ends(outside: &Outside<'_>, least: f64) -> Vec<CreaseEnd> {
 }
 
 /// Normals at boundary vertices near to these ends: of their own side.
-pub(super) fn normals_near(outside: &Outside<'_>, ends: &[&CreaseEnd]) -> Vec<(u32, [f64; 3])> {
-    let near = |end: &&CreaseEnd| Sides::new(outside, &end.chain).boundary_normals(outside, &end.chain);
+pub(super) fn normals_near(outside: &Outside<'_>, ends: &[&CreaseEnd], least: f64) -> Vec<(u32, [f64; 3])> {
+    let near =
+        |end: &&CreaseEnd| Sides::new(outside, &end.chain, least).boundary_normals(outside, &end.chain);
     ends.iter().flat_map(near).collect()
 }
 
@@ -50,20 +51,24 @@ fn end_at(outside: &Outside<'_>, v: u32, least: f64) -> Option<CreaseEnd> {
 
 /// The end of a crease along these edges, if there is one.
 fn along(outside: &Outside<'_>, chain: Vec<u32>, least: f64) -> Option<CreaseEnd> {
-    let &[vertex, second, third, ..] = &chain[..] else {
-        return None;
-    };
+    let (vertex, second) = (chain[0], chain[1]);
     let bends = chain.windows(2).take(BESIDE);
     let count = bends.len() as f64;
     let bend = bends.map(|step| outside.bend(step[0], step[1])).sum::<f64>() / count;
     if bend.abs() < OF_EDGES * least {
         return None;
     }
-    let sides = Sides::new(outside, &chain);
-    let outward = outside.position(third) - outside.position(vertex);
+    let sides = Sides::new(outside, &chain, least);
+    let outward = outside.position(chain[chain.len().min(3) - 1]) - outside.position(vertex);
     let fold = |from, to| Fold::of(sides.fits(from, to)?, outward);
     let here = fold(vertex, second).filter(|fold| fold.holds([least, SIGNIFICANT], bend))?;
-    fold(second, third).filter(|fold| fold.holds([NEXT * least, NEXT * SIGNIFICANT], bend))?;
+    match chain.get(2) {
+        Some(&third) => {
+            fold(second, third).filter(|fold| fold.holds([NEXT * least, NEXT * SIGNIFICANT], bend))?
+        }
+        // One edge long: a corner comes next.
+        None => fold(vertex, second).filter(Fold::is_of_planes)?,
+    };
     Some(CreaseEnd {
         vertex,
         direction: here.direction.into(),
@@ -94,6 +99,11 @@ impl Fold {
             angle: sign * angle(&left, &right).to_degrees(),
             error: libm::hypot(fits[0].error, fits[1].error).to_degrees(),
         })
+    }
+
+    /// Whether there is a plane on both sides.
+    fn is_of_planes(&self) -> bool {
+        self.error.to_radians() < FLAT
     }
 
     /// Whether it is a crease of so many degrees and standard errors, along edges that bend by `bend` in the mean.

@@ -23,7 +23,7 @@ const SMOOTH: f64 = 0.0175;
 const FEWEST: usize = 4;
 /// Vertices stand off a plane by no more than this part of their distance. With ten times as much a cylinder's side is taken for a plane, and one of 30 rims
 /// is off by 8e-4 radii in place of 1e-4.
-const FLAT: f64 = 1e-4;
+pub(super) const FLAT: f64 = 1e-4;
 
 /// A neighbourhood, parted along a chain of edges, in numbers of its own.
 pub(super) struct Sides {
@@ -35,8 +35,8 @@ pub(super) struct Sides {
 }
 
 impl Sides {
-    /// The neighbourhood of the first vertices of a chain.
-    pub(super) fn new(outside: &Outside<'_>, chain: &[u32]) -> Self {
+    /// The neighbourhood of the first vertices of a chain, parted also along the edges that bend by so much where the chain ends at a corner.
+    pub(super) fn new(outside: &Outside<'_>, chain: &[u32], least: f64) -> Self {
         let around = outside.within(chain[0], AROUND);
         let mut ids: Vec<u32> = around.iter().flatten().copied().collect();
         ids.sort_unstable();
@@ -44,8 +44,10 @@ impl Sides {
         let local = |v: u32| ids.binary_search(&v).ok().map(|l| l as u32);
         let number = |v: u32| local(v).unwrap_or(0);
         let triangles: Vec<[u32; 3]> = around.iter().map(|tri| tri.map(number)).collect();
+        let beyond = beyond(outside, chain, least, |v| local(v).is_some());
+        let chain = chain.windows(2).map(|step| [step[0], step[1]]);
         let cut: Vec<[u32; 2]> = chain
-            .windows(2)
+            .chain(beyond)
             .filter_map(|step| Some([local(step[0])?, local(step[1])?]))
             .collect();
         let parted = part(ids.len(), &triangles, &cut);
@@ -143,4 +145,23 @@ impl Sides {
         };
         self.triangles.iter().filter_map(corners).collect()
     }
+}
+
+/// The edges that bend by so much and are reached over such edges from the last vertex of a chain.
+fn beyond(outside: &Outside<'_>, chain: &[u32], least: f64, is_near: impl Fn(u32) -> bool) -> Vec<[u32; 2]> {
+    let mut reached = vec![chain[chain.len() - 1]];
+    let mut edges = Vec::new();
+    let mut next = 0;
+    while next < reached.len() {
+        let at = reached[next];
+        let creased = |w: &u32| is_near(*w) && !chain.contains(w) && outside.bend(at, *w).abs() >= least;
+        for w in outside.neighbours(at).into_iter().filter(creased) {
+            edges.push([at, w]);
+            if !reached.contains(&w) {
+                reached.push(w);
+            }
+        }
+        next += 1;
+    }
+    edges
 }
