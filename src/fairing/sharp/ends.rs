@@ -1,15 +1,15 @@
 //! Where creases of the surroundings arrive at the boundary of a region.
 //!
 //! The bend of one edge is none on a scan, whose every edge bends. So the surroundings are parted along the chain of edges that may be
-//! a crease, and tangent planes fitted on both sides of it: they have to differ by far more than the fits are uncertain, at two vertices
-//! one after the other.
+//! a crease, and tangent planes fitted on both sides of it: they have to differ by far more than the fits are uncertain, and
+//! by as much at the next vertices of the chain.
 
 use nalgebra::Vector3;
 
 use super::outside::Outside;
-use super::sides::{AROUND, FLAT, Sides};
+use super::sides::{AROUND, Sides};
 use crate::discrete::boundary_normals::angle;
-use crate::discrete::outside_fit::{BESIDE, Fit};
+use crate::discrete::outside_fit::Fit;
 use crate::fairing::sharp_edge::CreaseEnd;
 
 /// So many standard errors of the fits are no chance: with half as many, 26 of 80 regions of four scans have ends. Of ten right angles in noise of a
@@ -18,9 +18,11 @@ const SIGNIFICANT: f64 = 12.0;
 /// Fits with larger standard errors tell nothing, degrees.
 const UNCERTAIN: f64 = 9.0;
 /// The edges of a crease bend by this part of the angle between the planes beside it: elsewhere the bends are not on the chain.
-const OF_EDGES: f64 = 0.5;
-/// At the next vertex of the chain this part of the angle and its certainty is enough.
-const NEXT: f64 = 0.5;
+const OF_EDGES: f64 = 0.6;
+/// So many edges tell a crease; of fewer, before a corner, more certainty is asked in proportion.
+const LONG: usize = 5;
+/// Along them its angle, where it is certain, is no less than this part of that at the boundary: else it is a fold that runs out.
+const LASTS: f64 = 0.7;
 /// A chain turns by no more than this from edge to edge, degrees.
 const TURN: f64 = 50.0;
 /// An edge that bends by less than this part of the angle asked for is in no chain.
@@ -51,31 +53,30 @@ fn end_at(outside: &Outside<'_>, v: u32, least: f64) -> Option<CreaseEnd> {
 
 /// The end of a crease along these edges, if there is one.
 fn along(outside: &Outside<'_>, chain: Vec<u32>, least: f64) -> Option<CreaseEnd> {
-    let (vertex, second) = (chain[0], chain[1]);
-    let bends = chain.windows(2).take(BESIDE);
-    let count = bends.len() as f64;
-    let bend = bends.map(|step| outside.bend(step[0], step[1])).sum::<f64>() / count;
+    let steps = || chain.windows(2).take(LONG);
+    let count = steps().count() as f64;
+    let bend = steps().map(|step| outside.bend(step[0], step[1])).sum::<f64>() / count;
     if bend.abs() < OF_EDGES * least {
         return None;
     }
     let sides = Sides::new(outside, &chain, least);
-    let outward = outside.position(chain[chain.len().min(3) - 1]) - outside.position(vertex);
-    let fold = |from, to| Fold::of(sides.fits(from, to)?, outward);
-    let here = fold(vertex, second).filter(|fold| fold.holds([least, SIGNIFICANT], bend))?;
-    match chain.get(2) {
-        Some(&third) => {
-            fold(second, third).filter(|fold| fold.holds([NEXT * least, NEXT * SIGNIFICANT], bend))?
-        }
-        // One edge long: a corner comes next.
-        None => fold(vertex, second).filter(Fold::is_of_planes)?,
+    let outward = outside.position(chain[chain.len().min(3) - 1]) - outside.position(chain[0]);
+    let fold = |step: &[u32]| Fold::of(sides.fits(step[0], step[1])?, outward);
+    let significant = SIGNIFICANT * LONG as f64 / count;
+    let here = fold(&chain[..2]).filter(|fold| fold.is_certain(significant) && fold.angle.abs() >= least)?;
+    let lasts = |fold: Option<Fold>| {
+        fold.is_some_and(|fold| {
+            !fold.is_certain(SIGNIFICANT) || fold.angle * here.angle.signum() >= LASTS * here.angle.abs()
+        })
     };
-    Some(CreaseEnd {
-        vertex,
+    let is_along_edges = bend * here.angle.signum() >= OF_EDGES * here.angle.abs();
+    (is_along_edges && steps().skip(1).map(fold).all(lasts)).then(|| CreaseEnd {
+        vertex: chain[0],
         direction: here.direction.into(),
         normals: here.normals.map(Into::into),
         angle: here.angle,
         error: here.error,
-        chain,
+        chain: chain.clone(),
     })
 }
 
@@ -101,16 +102,9 @@ impl Fold {
         })
     }
 
-    /// Whether there is a plane on both sides.
-    fn is_of_planes(&self) -> bool {
-        self.error.to_radians() < FLAT
-    }
-
-    /// Whether it is a crease of so many degrees and standard errors, along edges that bend by `bend` in the mean.
-    fn holds(&self, [least, significant]: [f64; 2], bend: f64) -> bool {
-        let size = self.angle.abs();
-        let is_certain = self.error <= UNCERTAIN && size >= significant * self.error;
-        is_certain && size >= least && bend * self.angle.signum() >= OF_EDGES * size
+    /// Whether it is more than so many standard errors.
+    fn is_certain(&self, significant: f64) -> bool {
+        self.error <= UNCERTAIN && self.angle.abs() >= significant * self.error
     }
 }
 

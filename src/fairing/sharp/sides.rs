@@ -23,7 +23,7 @@ const SMOOTH: f64 = 0.0175;
 const FEWEST: usize = 4;
 /// Vertices stand off a plane by no more than this part of their distance. With ten times as much a cylinder's side is taken for a plane, and one of 30 rims
 /// is off by 8e-4 radii in place of 1e-4.
-pub(super) const FLAT: f64 = 1e-4;
+const FLAT: f64 = 1e-4;
 
 /// A neighbourhood, parted along a chain of edges, in numbers of its own.
 pub(super) struct Sides {
