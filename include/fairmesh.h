@@ -667,6 +667,10 @@ enum fairmesh_loose_reason
      * Less than half of the curvature asked for was continued: the surroundings are too rough, or no sound surface has it.
      */
     FAIRMESH_LOOSE_REASON_CURVATURE = 7,
+    /**
+     * A sharp edge of the surroundings ends at the boundary, at the vertices that the report names, and does not go on.
+     */
+    FAIRMESH_LOOSE_REASON_SHARP_EDGE = 8,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L

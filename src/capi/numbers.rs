@@ -143,6 +143,8 @@ pub enum fairmesh_loose_reason {
     DrawnNormals = 6,
     /// Less than half of the curvature asked for was continued: the surroundings are too rough, or no sound surface has it.
     Curvature = 7,
+    /// A sharp edge of the surroundings ends at the boundary, at the vertices that the report names, and does not go on.
+    SharpEdge = 8,
 }
 
 /// How an attempt at a surface ended. Numbers are never reused.

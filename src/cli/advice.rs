@@ -41,6 +41,9 @@ pub fn of_fairing(outcome: &Outcome, has_with_others: Option<bool>) -> &'static 
             LooseReason::Curvature => {
                 "look at it; give a smaller --continuity, or none, or select a larger region"
             }
+            LooseReason::SharpEdge => {
+                "select so much that the sharp edge ends outside, or leaves the region again; or give --remesh, or --sharp off"
+            }
             _ => outcome.remedy(),
         },
         _ => outcome.remedy(),
@@ -61,6 +64,11 @@ pub fn of_patch(is_bridge: bool, outcome: &Outcome) -> &'static str {
         Outcome::ConvergedLoosely {
             reason: LooseReason::Curvature,
         } if !is_bridge => "look at it; give a smaller --continuity, or none",
+        Outcome::ConvergedLoosely {
+            reason: LooseReason::SharpEdge,
+        } if !is_bridge => {
+            "--erase so much around it that the sharp edge leaves the hole again, or give --sharp off"
+        }
         _ if is_bridge => "look at it; begin or end the bridge elsewhere, or give another --width",
         _ => {
             "look at it; --relax-rim 3 smooths a rough boundary, --trim takes slender faces there away, --erase more around it"

@@ -181,6 +181,7 @@ mod tests {
             LooseReason::Tolerance,
             LooseReason::DrawnNormals,
             LooseReason::Curvature,
+            LooseReason::SharpEdge,
         ];
         let loose = reasons.map(|reason| Outcome::ConvergedLoosely { reason });
         let others = [

@@ -257,6 +257,7 @@ fn run<'a>(
     if let Some(parted) = &sharp.parted {
         parted.restore(&mut solutions);
     }
+    sharp.judge(&mut solutions);
     let mut solution = whole(positions, triangles, options, &solutions);
     solution.report.sharp_edges = sharp.told;
     Ok(solution)

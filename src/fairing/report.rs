@@ -106,6 +106,9 @@ choices! {
         7 "curvature" Curvature =>
             "less than half of the curvature asked for was continued: the surroundings are too rough, or no sound surface has it",
             "look at it; ask for less continuity, or for tangent planes alone, or select a larger region";
+        8 "sharp_edge" SharpEdge =>
+            "a sharp edge of the surroundings ends at the boundary, at the vertices that the report names, and does not go on",
+            "select so much that the edge ends outside, or leaves the region again; or triangulate the region anew";
     }
 }
 
@@ -238,16 +241,17 @@ impl Outcome {
                 LooseReason::SuspiciousNormals => 5,
                 LooseReason::Bump => 6,
                 LooseReason::DrawnNormals => 7,
+                LooseReason::SharpEdge => 8,
             },
-            Self::NearestMember { .. } => 8,
-            Self::SelfIntersecting { .. } => 9,
-            Self::BoundaryCrease { .. } => 10,
-            Self::PoorWhenRounded { .. } => 11,
-            Self::ConvergedPoorTriangles { .. } => 12,
-            Self::TargetNotReachable { .. } => 13,
-            Self::NotConverged => 14,
-            Self::IterationLimit => 15,
-            Self::Cancelled => 16,
+            Self::NearestMember { .. } => 9,
+            Self::SelfIntersecting { .. } => 10,
+            Self::BoundaryCrease { .. } => 11,
+            Self::PoorWhenRounded { .. } => 12,
+            Self::ConvergedPoorTriangles { .. } => 13,
+            Self::TargetNotReachable { .. } => 14,
+            Self::NotConverged => 15,
+            Self::IterationLimit => 16,
+            Self::Cancelled => 17,
         }
     }
 

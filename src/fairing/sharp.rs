@@ -9,14 +9,17 @@ mod parting;
 mod path;
 mod sides;
 
+use super::component_solution::ComponentSolution;
 use super::normals::GivenNormals;
 use super::options::Options;
 use super::prepared::Prepared;
+use super::report::{LooseReason, Outcome};
 use super::sharp_edge::{CreaseEnd, SharpEdge, SharpFate};
 use crate::mesh::coincident::Coincident;
 use crate::mesh::numbering::Numbering;
 use crate::mesh::selection::Selection;
 use crate::mesh::{Joined, RegionMesh};
+use crate::quality::crease::KINK;
 use crate::support::error::Error;
 use groups::{Group, grouped};
 use outside::Outside;
@@ -61,6 +64,22 @@ impl SharpEdges {
             PartedProblem::new((positions, triangles), &is_free, &creases, (&ends, near))
         });
         Self { told, parted }
+    }
+
+    /// Has reservations about components where an edge as wide as a crease along the boundary does not go on.
+    pub(super) fn judge(&self, components: &mut [ComponentSolution]) {
+        let stopped = self.told.iter().filter(|edge| edge.vertices.is_empty());
+        let ends = stopped.flat_map(|edge| &edge.ends);
+        for end in ends.filter(|end| end.angle.abs() > KINK) {
+            let has_it =
+                |of: &&mut ComponentSolution| of.boundary_normals.iter().any(|(v, _)| *v == end.vertex);
+            for of in components.iter_mut().filter(has_it) {
+                if of.report.outcome.is_success() {
+                    let reason = LooseReason::SharpEdge;
+                    of.report.outcome = Outcome::ConvergedLoosely { reason };
+                }
+            }
+        }
     }
 }
 

@@ -19,7 +19,7 @@ use crate::mesh::Rings;
 
 /// A kink up to this many degrees is that of a coarse mesh.
 /// Of 126 cases, half: 3 change, 1 get another triangulation, +5 % iterations, 11 fail; double: 1 changes, -1 % iterations, 3 more succeed.
-const KINK: f64 = 45.0;
+pub(crate) const KINK: f64 = 45.0;
 /// So many more than the kinks it is compared with, too.
 /// Of 126 cases, half: none changes; double: 1 changes, 2 more succeed.
 pub(super) const EXCESS: f64 = 15.0;

@@ -3,7 +3,7 @@
 use crate::fairing::*;
 use crate::regions::cube;
 use crate::tier::tier;
-use fairmesh::{Options, Selection, SharpFate, Solution, fair};
+use fairmesh::{LooseReason, Options, Outcome, Selection, SharpFate, Solution, fair};
 use fairmesh_shapes::*;
 
 /// A piece of a solid about a place of its chart, with edges of about `edge`.
@@ -154,10 +154,10 @@ fn what_is_smooth_keeps_its_bits() {
     }
 }
 
-/// Where an end fits no other, nothing changes, and the report says so.
+/// Where an end fits no other, nothing changes, and the report has reservations and says why.
 #[test]
 fn an_end_alone_is_told() {
-    let of = Creased::Wedge(90.0);
+    let of = Creased::Wedge(60.0);
     let shape = piece(of, PLACES[0], EDGE, 1);
     let ends = fairmesh::crease_ends(
         &shape.positions,
@@ -181,6 +181,8 @@ fn an_end_alone_is_told() {
     assert_eq!(with.positions, without.positions);
     assert_eq!(with.report.sharp_edges.len(), 1);
     assert_eq!(with.report.sharp_edges[0].fate, SharpFate::Alone);
+    let reason = LooseReason::SharpEdge;
+    assert_eq!(with.report.outcome, Outcome::ConvergedLoosely { reason });
     assert_eq!(with.report.sharp_edges[0].ends[0].vertex, ends[1].vertex);
 }
 

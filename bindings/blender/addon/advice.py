@@ -110,6 +110,10 @@ _WORDS = {
             "less than half of {continuity} was reached: the surroundings are too rough, or no sound surface has it",
             "Look at it; ask for less {continuity}, or select a larger region",
         ),
+        LooseReason.SHARP_EDGE: (
+            "a sharp edge ends at the selection and does not go on in it",
+            "Select so much that the sharp edge ends outside, or leaves the selection again",
+        ),
     },
     FillOutcome: {
         FillOutcome.SELF_INTERSECTING: (

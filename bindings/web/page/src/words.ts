@@ -19,6 +19,7 @@ export const REMEDIES: Record<string, string> = {
     tolerance: "look at it: it is as exact as numbers allow here",
     drawn_normals: "look at it; or “Undo”, paint a ring around the hole, and take “Erase and fill”",
     curvature: "look at it; or take “Grow” and “Fair the region”",
+    sharp_edge: "take “Grow” until the sharp edge ends outside, or leaves the region again, then “Fair the region” again",
     // Why a hole is open, or its patch is flat.
     non_manifold: "paint the triangles there, and take “Erase and fill”",
     outer_boundary: "it is the rim of an open surface: “Join” fills it with another hole, or paint around it and take “Erase and fill”",
