@@ -1,7 +1,7 @@
 //! Sharp edges that reach the boundary: which go on, and what became of them.
 
 use clap::Args;
-use fairmesh::{SharpEdge, SharpFate};
+use fairmesh::{Options, SharpEdge, SharpFate};
 use serde_json::{Value, json};
 
 use crate::figures::significant;
@@ -14,7 +14,7 @@ pub struct SharpArgs {
     #[arg(
         long,
         value_name = "WHICH",
-        default_value = "off",
+        default_value = default(),
         value_parser = sharp,
         help_heading = "Surface",
         verbatim_doc_comment
@@ -22,14 +22,19 @@ pub struct SharpArgs {
     pub sharp: f64,
 }
 
-/// The bend from which on `--sharp auto` follows an edge, degrees: less than those of 30 on parts. Half or double, of 33 regions across edges of parts: 1 changes;
-/// none changes.
-const CERTAIN: f64 = 20.0;
+/// The library's default, in the flag's words.
+fn default() -> &'static str {
+    if Options::default().sharp == Options::SHARP_AUTO {
+        "auto"
+    } else {
+        "off"
+    }
+}
 
 /// Reads `--sharp`.
 fn sharp(text: &str) -> Result<f64, String> {
     match text {
-        "auto" => Ok(CERTAIN),
+        "auto" => Ok(Options::SHARP_AUTO),
         "off" => Ok(0.0),
         _ => {
             let degrees = text.parse::<f64>().ok();
