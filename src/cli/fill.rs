@@ -25,12 +25,13 @@ use crate::jobs::{FilesArgs, Job};
 use crate::join;
 use crate::left_open;
 use crate::orientation;
-use crate::patches::{Files, PatchArgs, face_numbers};
+use crate::patches::{self, Files, PatchArgs, face_numbers};
 use crate::region::{RegionReport, RegionSteps};
-use crate::report::{creased, member_weight};
+use crate::report::member_weight;
 use crate::rim::{self, RimArgs};
 use crate::seams;
 use crate::selection;
+use crate::sharp_edges;
 use crate::which::WhichArgs;
 
 /// What `fairmesh fill` is asked.
@@ -460,7 +461,11 @@ fn readable(filled: &Filled, args: &FillArgs, dropped: usize, [loose, cleaned]: 
         let tried = args.verbose.then(|| attempts::lines(&fairing.components));
         let continued = args.continuity.is_asked();
         let continued = continued.then(|| continuity::lines(&fairing.components));
-        for line in [tried, continued].into_iter().flatten().flatten() {
+        let edges = sharp_edges::of_patch(&fairing.sharp_edges);
+        for line in edges
+            .into_iter()
+            .chain([tried, continued].into_iter().flatten().flatten())
+        {
             let _ = writeln!(text, "  {line}");
         }
     }
@@ -480,14 +485,7 @@ pub fn reported(report: &LoopReport, first: usize, face: impl Fn(u32) -> usize) 
         .iter()
         .map(|pair| pair.iter().map(|&t| face(t)).collect())
         .collect();
-    let fairing = report.fairing.as_ref().map(|f| {
-        json!({ "outcome": f.outcome.name(), "creased_vertices": creased(f), "iterations": f.iterations, "step": f.step, "defect": f.defect,
-            "h_inside": f.quality.h_inside, "h_boundary": f.quality.h_boundary,
-            "normal_deviation": f.quality.normal_deviation, "suspicious_normals": f.suspicious_normals,
-            "member_weight": member_weight(&f.outcome), "bending_energy": f.quality.bending_energy,
-            "attempts": attempts::json(f.components.iter().flat_map(|c| &c.attempts)),
-            "continuity": continuity::json(f.components.iter().flat_map(|c| &c.continuity)) })
-    });
+    let fairing = report.fairing.as_ref().map(patches::fairing);
     json!({
         "index": report.index, "loops": report.loops, "joined": report.joined.as_ref().map(join::json),
         "edges": report.edges, "outcome": report.outcome.name(), "success": report.is_success(), "told": told(report),

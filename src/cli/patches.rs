@@ -3,16 +3,20 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use fairmesh::{Cap, FillOptions, Options, OutputPrecision};
+use fairmesh::{Cap, FillOptions, Options, OutputPrecision, Report};
+use serde_json::{Value, json};
 
 use crate::answer::Answer;
+use crate::attempts;
 use crate::batch::Telling;
+use crate::continuity;
 use crate::failure::Failure;
 use crate::formats::pipe_args::Piped;
 use crate::formats::{Format, MeshFile};
 use crate::orientation::oriented;
 use crate::output::Output;
-use crate::sharp_edges::SharpArgs;
+use crate::report::{creased, member_weight};
+use crate::sharp_edges::{self, SharpArgs};
 use crate::surface::{IntersectionArgs, MeshArgs};
 
 /// What closes a boundary that lies in a plane.
@@ -147,4 +151,15 @@ pub fn face_numbers(mesh: &MeshFile, format: Format) -> (usize, impl Fn(u32) -> 
         None => geometry.polygon_of(t as usize),
     };
     (first, face)
+}
+
+/// A patch's report of its fairing, for programs.
+pub fn fairing(f: &Report) -> Value {
+    json!({ "outcome": f.outcome.name(), "creased_vertices": creased(f), "iterations": f.iterations, "step": f.step, "defect": f.defect,
+            "h_inside": f.quality.h_inside, "h_boundary": f.quality.h_boundary,
+            "normal_deviation": f.quality.normal_deviation, "suspicious_normals": f.suspicious_normals,
+            "member_weight": member_weight(&f.outcome), "bending_energy": f.quality.bending_energy,
+            "attempts": attempts::json(f.components.iter().flat_map(|c| &c.attempts)),
+            "continuity": continuity::json(f.components.iter().flat_map(|c| &c.continuity)),
+            "sharp_edges": sharp_edges::json(&f.sharp_edges) })
 }

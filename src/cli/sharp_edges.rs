@@ -50,6 +50,12 @@ pub fn lines(edges: &[SharpEdge]) -> Vec<String> {
     edges.iter().map(line).collect()
 }
 
+/// The same below a patch.
+pub fn of_patch(edges: &[SharpEdge]) -> Vec<String> {
+    let told = |edge| format!("sharp edge: {}", line(edge));
+    edges.iter().map(told).collect()
+}
+
 fn line(edge: &SharpEdge) -> String {
     let end = |end: &fairmesh::CreaseEnd| {
         let angle = significant(end.angle);

@@ -19,8 +19,8 @@ use crate::mesh::coincident::Coincident;
 use crate::mesh::numbering::Numbering;
 use crate::mesh::selection::Selection;
 use crate::mesh::{Joined, RegionMesh};
-use crate::quality::crease::KINK;
 use crate::support::error::Error;
+pub(crate) use branch::Branch;
 use groups::{Group, grouped};
 use outside::Outside;
 use parting::{Followed, PartedProblem};
@@ -70,7 +70,7 @@ impl SharpEdges {
     pub(super) fn judge(&self, components: &mut [ComponentSolution]) {
         let stopped = self.told.iter().filter(|edge| edge.vertices.is_empty());
         let ends = stopped.flat_map(|edge| &edge.ends);
-        for end in ends.filter(|end| end.angle.abs() > KINK) {
+        for end in ends.filter(|end| end.is_wide()) {
             let has_it =
                 |of: &&mut ComponentSolution| of.boundary_normals.iter().any(|(v, _)| *v == end.vertex);
             for of in components.iter_mut().filter(has_it) {
@@ -136,6 +136,40 @@ fn free(vertices: usize, regions: &[&RegionMesh]) -> Vec<bool> {
         own.iter().for_each(|&v| is_free[v as usize] = true);
     }
     is_free
+}
+
+/// The ends of creases at the boundary of triangles that are all outside, as those of a hole, by whether they belong together.
+pub(crate) fn creases_around(
+    (positions, triangles): (&[[f64; 3]], &[[u32; 3]]),
+    is_boundary: Vec<bool>,
+    options: &Options,
+) -> Vec<BoundaryCrease> {
+    let outside = Outside::around(positions, triangles, is_boundary);
+    let given = GivenNormals::new(&options.boundary_normals);
+    let mut ends = ends::crease_ends(&outside, options.sharp);
+    ends.retain(|end| !given.has(end.vertex));
+    let crease = |group: Group| {
+        let own: Vec<CreaseEnd> = group.ends.iter().map(|&e| ends[e].clone()).collect();
+        let near = match group.branches.is_empty() {
+            true => Vec::new(),
+            false => ends::normals_near(&outside, &own.iter().collect::<Vec<_>>(), options.sharp),
+        };
+        BoundaryCrease {
+            near: near.into_iter().filter(|(v, _)| !given.has(*v)).collect(),
+            ends: own,
+            branches: group.branches,
+        }
+    };
+    grouped(&ends, positions).into_iter().map(crease).collect()
+}
+
+/// Ends that belong together.
+pub(crate) struct BoundaryCrease {
+    pub(crate) ends: Vec<CreaseEnd>,
+    /// One between two ends, or three to a corner; none of an end alone.
+    pub(crate) branches: Vec<Branch>,
+    /// Normals at boundary vertices beside the ends.
+    pub(crate) near: Vec<(u32, [f64; 3])>,
 }
 
 /// Where creases of the surroundings, of at least so many degrees, arrive at the boundary of a region: two normals hold there, and no

@@ -1,5 +1,6 @@
 //! What is told of the sharp edges that reach the boundary.
 
+use crate::quality::crease::KINK;
 use crate::support::table::choices;
 
 /// A crease of the surroundings that arrives at the boundary of a region.
@@ -17,6 +18,16 @@ pub struct CreaseEnd {
     pub error: f64,
     /// The vertices outside along the crease, from `vertex` on.
     pub chain: Vec<u32>,
+}
+
+impl CreaseEnd {
+    /// An edge that bends by less than this part of the angle asked for is in no crease.
+    pub(crate) const FIRST_BEND: f64 = 0.5;
+
+    /// Whether it is as wide as a crease along the boundary that is no success.
+    pub(crate) fn is_wide(&self) -> bool {
+        self.angle.abs() > KINK
+    }
 }
 
 choices! {

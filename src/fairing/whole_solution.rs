@@ -114,25 +114,7 @@ fn seconds(components: &[ComponentSolution]) -> Seconds {
 fn quality(components: &[ComponentSolution]) -> Quality {
     let mut all = components[0].report.quality.clone();
     for of in components[1..].iter().map(|c| &c.report.quality) {
-        if of.worst_angle < all.worst_angle {
-            (all.worst_angle, all.worst_triangle) = (of.worst_angle, of.worst_triangle);
-        }
-        if of.sharpest_edge > all.sharpest_edge {
-            all.sharpest_edge = of.sharpest_edge;
-            all.sharpest_edge_vertices = of.sharpest_edge_vertices;
-        }
-        if of.normal_deviation > all.normal_deviation {
-            all.normal_deviation = of.normal_deviation;
-            all.normal_deviation_vertex = of.normal_deviation_vertex;
-        }
-        if of.boundary_kink > all.boundary_kink {
-            all.boundary_kink = of.boundary_kink;
-            all.boundary_kink_before = of.boundary_kink_before;
-            all.boundary_kink_vertex = of.boundary_kink_vertex;
-        }
-        let wider = |a: [f64; 2], b: [f64; 2]| [a[0].min(b[0]), a[1].max(b[1])];
-        all.h_inside = wider(all.h_inside, of.h_inside);
-        all.h_boundary = wider(all.h_boundary, of.h_boundary);
+        all.take_worse(of);
     }
     if components.len() > 1 {
         all.flipped = ascending(components, |c| &c.report.quality.flipped);
@@ -145,6 +127,35 @@ fn quality(components: &[ComponentSolution]) -> Quality {
         all.normal_deviation_rms = (squares / count.max(1) as f64).sqrt();
     }
     all
+}
+
+impl Report {
+    /// The report of this surface and another one beside it, of which each has so many boundary vertices.
+    pub(crate) fn include(&mut self, other: Self, boundary: [usize; 2]) {
+        self.outcome = Outcome::of_all(&[&self.outcome, &other.outcome]);
+        self.iterations = self.iterations.max(other.iterations);
+        self.defect = largest([self.defect, other.defect].into_iter());
+        self.step = largest([self.step, other.step].into_iter());
+        self.seconds.setup += other.seconds.setup;
+        self.seconds.start += other.seconds.start;
+        self.seconds.iterate += other.seconds.iterate;
+        self.seconds.quality += other.seconds.quality;
+        self.seconds.total += other.seconds.total;
+        self.free_vertices += other.free_vertices;
+        self.diagonal = self.diagonal.max(other.diagonal);
+        self.least_bending |= other.least_bending;
+        self.suspicious_normals.extend(other.suspicious_normals);
+        self.fallback_weights += other.fallback_weights;
+        self.components.extend(other.components);
+        let (own, of) = (&mut self.quality, &other.quality);
+        let [n, m] = boundary.map(|count| count as f64);
+        let square = n * own.normal_deviation_rms.powi(2) + m * of.normal_deviation_rms.powi(2);
+        own.normal_deviation_rms = (square / (n + m).max(1.0)).sqrt();
+        own.bending_energy += of.bending_energy;
+        own.flipped.extend(&of.flipped);
+        own.needles.extend(&of.needles);
+        own.take_worse(of);
+    }
 }
 
 /// Level by level from the given mesh down; components with fewer levels have no part in the coarsest ones.

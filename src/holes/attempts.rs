@@ -4,7 +4,7 @@ use super::crossing::Neighbours;
 use super::options::OnFailure;
 use super::outcome::{FillOutcome, OpenReason, has_no_area};
 use super::patch::Patch;
-use crate::fairing::ProgressCallback;
+use crate::fairing::{BoundaryCrease, CreaseEnd, LooseReason, Outcome, ProgressCallback, SharpEdge};
 use crate::holes::patch_surface::{PatchSurface, Task};
 
 /// What patches are looked at for.
@@ -28,6 +28,17 @@ impl Check<'_, '_> {
 }
 
 impl PatchSurface {
+    /// Takes what became of sharp edges into the report; where a wide one stops, it is no success.
+    fn tell_edges(&mut self, edges: Vec<SharpEdge>) {
+        let Some(report) = &mut self.fairing else { return };
+        let mut stopped = edges.iter().filter(|edge| edge.vertices.is_empty());
+        if report.outcome.is_success() && stopped.any(|edge| edge.ends.iter().any(CreaseEnd::is_wide)) {
+            let reason = LooseReason::SharpEdge;
+            report.outcome = Outcome::ConvergedLoosely { reason };
+        }
+        report.sharp_edges.extend(edges);
+    }
+
     /// The verdict of its report, but for the rim and intersections.
     fn is_good(&self) -> bool {
         self.outcome.is_success(self.fairing.as_ref()) && !has_no_area(self.triangles.len(), self.worst_angle)
@@ -35,8 +46,34 @@ impl PatchSurface {
 }
 
 impl Task<'_> {
-    /// The patch that is kept.
+    /// The patch that is kept: that of the sides that creases divide the loop into, if it is sound and intersects nothing, or a smooth one.
     pub(super) fn settled(
+        &self,
+        (creases, length): (&[BoundaryCrease], f64),
+        mut check: Check<'_, '_>,
+        on_failure: OnFailure,
+        tell: &mut ProgressCallback<'_>,
+    ) -> PatchSurface {
+        let divided = self
+            .divided(creases, length, tell)
+            .map(|piece| check.judged(piece));
+        if let Some(piece) =
+            divided.filter(|piece| piece.is_open() || piece.is_good() && piece.crossings.is_empty())
+        {
+            if !piece.is_open()
+                && let Some(neighbours) = &mut check.neighbours
+            {
+                return neighbours.kept(check.of, piece);
+            }
+            return piece;
+        }
+        let mut piece = self.smooth(check, on_failure, tell);
+        piece.tell_edges(self.told(creases, &[]));
+        piece
+    }
+
+    /// The smooth patch that is kept.
+    fn smooth(
         &self,
         mut check: Check<'_, '_>,
         on_failure: OnFailure,

@@ -306,7 +306,7 @@ impl<'m> Strip<'m> {
                 ..*progress
             })
         };
-        let piece = unless_stopped(|| task.settled(check, filling.on_failure, &mut tell));
+        let piece = unless_stopped(|| task.settled((&[], 1.0), check, filling.on_failure, &mut tell));
         Ok(piece.unwrap_or_else(|| PatchSurface::open(OpenReason::Cancelled)))
     }
 

@@ -15,7 +15,7 @@ use super::loops::BoundaryLoop;
 use super::options::{FillOptions, Join, largest_patch};
 use super::outcome::{FillOutcome, OpenReason};
 use super::rim::Rims;
-use super::surroundings::Surroundings;
+use super::surroundings::{LAYERS_OF_CREASES, Surroundings};
 use crate::fairing::{
     Intersections, Options, Progress, ProgressCallback, SelfIntersections, check_loops, in_given,
     joined_options, on_workers,
@@ -335,6 +335,12 @@ impl FillRun<'_> {
         callback: &mut ProgressCallback<'_>,
     ) -> PatchSurface {
         let mut surroundings = Surroundings::new(self.links, self.positions, loops, &mut self.place);
+        let is_creased =
+            loops.len() == 1 && self.options.fair && surroundings.may_be_creased(self.fairing.sharp);
+        if is_creased {
+            let layers = (LAYERS_OF_CREASES, &mut self.place[..]);
+            surroundings = Surroundings::with_layers(self.links, self.positions, loops, layers);
+        }
         surroundings.guides.clone_from(&self.guides[i]);
         if let Some(vertex) = surroundings.first_unusable() {
             return PatchSurface::open(OpenReason::NotFinite { vertex });
@@ -357,14 +363,17 @@ impl FillRun<'_> {
                 ..*progress
             })
         };
+        let options = local_options(&surroundings, self.fairing);
+        let options = self.rims.with_normals(i, &surroundings, options);
         let task = Task {
             surroundings: &surroundings,
             factor: std::f64::consts::SQRT_2 / self.options.density,
             most: self.left.min(largest_patch(edges, self.options.density)),
             unfaired: self.options.unfaired(&surroundings),
-            options: self
-                .rims
-                .with_normals(i, &surroundings, local_options(&surroundings, self.fairing)),
+            options: Options {
+                sharp: if loops.len() > 1 { options.sharp } else { 0.0 },
+                ..options.clone()
+            },
             precision: self.options.fairing.output_precision,
         };
         let rims = self.rims;
@@ -380,7 +389,12 @@ impl FillRun<'_> {
             neighbours: self.neighbours.as_mut(),
             has_sound_rim: &has_sound_rim,
         };
-        let piece = task.settled(check, self.options.on_failure, &mut tell);
+        let creases = match is_creased && task.unfaired.is_none() {
+            true => surroundings.creases(&options),
+            false => Vec::new(),
+        };
+        let length = 1.0 / self.options.density;
+        let piece = task.settled((&creases, length), check, self.options.on_failure, &mut tell);
         self.left -= piece.positions.len();
         for t in &piece.triangles {
             for k in 0..3 {

@@ -287,6 +287,13 @@ pub(super) fn renumber(report: &mut Report, vertex: impl Fn(u32) -> u32, triangl
         renumber_judgement(&mut component.quality, &mut component.outcome, &vertex, &triangle);
     }
     report.suspicious_normals.iter_mut().for_each(|v| *v = vertex(*v));
+    for edge in &mut report.sharp_edges {
+        edge.vertices.iter_mut().for_each(|v| *v = vertex(*v));
+        for end in &mut edge.ends {
+            end.vertex = vertex(end.vertex);
+            end.chain.iter_mut().for_each(|v| *v = vertex(*v));
+        }
+    }
 }
 
 fn renumber_judgement(

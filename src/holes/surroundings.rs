@@ -18,6 +18,8 @@ use crate::mesh::halfedge::next;
 /// Layers of triangles, across edges, beyond the fans of the loop's vertices: what fitted normals look at, and more.
 /// Of 42 cases, half: 17 change by up to 0.07 edges, 4 get another triangulation; double: none changes.
 const LAYERS: usize = 6;
+/// Layers in which creases can be followed.
+pub(super) const LAYERS_OF_CREASES: usize = 18;
 
 /// The triangles around one loop or several, moved and scaled.
 pub(super) struct Surroundings {
@@ -54,7 +56,17 @@ impl Surroundings {
         loops: &[&BoundaryLoop],
         place: &mut [u32],
     ) -> Self {
-        let triangle_ids = collect(links, loops, place);
+        Self::with_layers(links, positions, loops, (LAYERS, place))
+    }
+
+    /// With so many layers.
+    pub(super) fn with_layers(
+        links: &Links<'_>,
+        positions: &[[f64; 3]],
+        loops: &[&BoundaryLoop],
+        (layers, place): (usize, &mut [u32]),
+    ) -> Self {
+        let triangle_ids = collect(links, loops, layers, place);
         let (ids, triangles) = number(links, loops, &triangle_ids, place);
         let starts = starts(loops);
         triangle_ids.iter().for_each(|&t| place[t as usize] = NONE);
@@ -88,9 +100,39 @@ impl Surroundings {
         surroundings
     }
 
+    /// Another loop in the same frame; `open` are its edges without a triangle.
+    pub(super) fn with_loop(
+        &self,
+        (ids, x): (Vec<u32>, Vec<Vector3<f64>>),
+        triangles: Vec<[u32; 3]>,
+        normals: Vec<Vector3<f64>>,
+        (taken, open_edges): (Vec<(u32, u32)>, Vec<[u32; 2]>),
+    ) -> Self {
+        Self {
+            ids,
+            x,
+            triangles,
+            triangle_ids: self.triangle_ids.clone(),
+            loop_vertices: normals.len(),
+            starts: vec![0, normals.len()],
+            normals,
+            taken,
+            open_edges,
+            guides: Vec::new(),
+            centre: self.centre,
+            scale: self.scale,
+        }
+    }
+
     /// The numbers of each loop's vertices.
     pub(super) fn loops(&self) -> impl Iterator<Item = Range<usize>> {
         self.starts.windows(2).map(|ends| ends[0]..ends[1])
+    }
+
+    /// The vertex after this one on the only loop; none after others.
+    pub(super) fn after(&self, v: u32) -> Option<u32> {
+        let count = self.loop_vertices as u32;
+        (v < count).then(|| (v + 1) % count)
     }
 
     /// The loops by themselves.
@@ -260,7 +302,7 @@ fn starts(loops: &[&BoundaryLoop]) -> Vec<usize> {
 }
 
 /// The fans of the loops' vertices and some layers of triangles around them; `place` gets their local numbers.
-fn collect(links: &Links<'_>, loops: &[&BoundaryLoop], place: &mut [u32]) -> Vec<u32> {
+fn collect(links: &Links<'_>, loops: &[&BoundaryLoop], layers: usize, place: &mut [u32]) -> Vec<u32> {
     let mut found: Vec<u32> = Vec::new();
     let mut add = |t: u32, found: &mut Vec<u32>| {
         if place[t as usize] == NONE {
@@ -274,7 +316,7 @@ fn collect(links: &Links<'_>, loops: &[&BoundaryLoop], place: &mut [u32]) -> Vec
         let _ = links.follow(h, |g| add(g / 3, &mut found));
     }
     let mut from = 0;
-    for _ in 0..LAYERS {
+    for _ in 0..layers {
         let end = found.len();
         for i in from..end {
             for k in 0..3 {

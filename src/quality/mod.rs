@@ -64,6 +64,29 @@ impl Quality {
         self.flipped.is_empty() && self.needles.is_empty()
     }
 
+    /// The worse of these figures and those of a surface beside it, but for lists, sums and means.
+    pub(crate) fn take_worse(&mut self, of: &Self) {
+        if of.worst_angle < self.worst_angle {
+            (self.worst_angle, self.worst_triangle) = (of.worst_angle, of.worst_triangle);
+        }
+        if of.sharpest_edge > self.sharpest_edge {
+            self.sharpest_edge = of.sharpest_edge;
+            self.sharpest_edge_vertices = of.sharpest_edge_vertices;
+        }
+        if of.normal_deviation > self.normal_deviation {
+            self.normal_deviation = of.normal_deviation;
+            self.normal_deviation_vertex = of.normal_deviation_vertex;
+        }
+        if of.boundary_kink > self.boundary_kink {
+            self.boundary_kink = of.boundary_kink;
+            self.boundary_kink_before = of.boundary_kink_before;
+            self.boundary_kink_vertex = of.boundary_kink_vertex;
+        }
+        let wider = |a: [f64; 2], b: [f64; 2]| [a[0].min(b[0]), a[1].max(b[1])];
+        self.h_inside = wider(self.h_inside, of.h_inside);
+        self.h_boundary = wider(self.h_boundary, of.h_boundary);
+    }
+
     /// The folded triangles and the needles, ascending.
     pub(crate) fn poor(&self) -> Vec<u32> {
         let mut poor = [&self.flipped[..], &self.needles].concat();

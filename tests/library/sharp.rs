@@ -3,7 +3,10 @@
 use crate::fairing::*;
 use crate::regions::cube;
 use crate::tier::tier;
-use fairmesh::{LooseReason, Options, Outcome, Selection, SharpFate, Solution, fair};
+use fairmesh::{
+    FillOptions, Loops, LooseReason, Options, Outcome, Selection, SharpFate, Solution, boundary_loops, fair,
+    fill_holes,
+};
 use fairmesh_shapes::*;
 
 /// A piece of a solid about a place of its chart, with edges of about `edge`.
@@ -233,4 +236,91 @@ fn ends_are_found_beside_corners() {
         let along = |low: f64, high: f64| [low, low, low + cells / 8.0 * (high - low)];
         dented_cube(along, 0.19, 2);
     }
+}
+
+/// A piece without its free vertices.
+fn with_hole(of: Creased, centre: [f64; 2], edge: f64, seed: u64) -> Shape {
+    let mut shape = piece(of, centre, edge, seed);
+    let is_free = shape.free.clone();
+    shape
+        .triangles
+        .retain(|tri| !tri.iter().any(|&v| is_free[v as usize]));
+    shape
+}
+
+/// Fills the hole of a piece, and says how far the new vertices are off; all creases have to go on, and parents are of the loop.
+fn filled_off(of: Creased, centre: [f64; 2], edge: f64, seed: u64) -> f64 {
+    let shape = with_hole(of, centre, edge, seed);
+    let loops = boundary_loops(&shape.positions, &shape.triangles).unwrap();
+    let shortest = (0..loops.len()).min_by(|&a, &b| loops[a].length.total_cmp(&loops[b].length));
+    let asked = FillOptions {
+        loops: Loops::Chosen(vec![shortest.unwrap()]),
+        fairing: sharp_options(),
+        ..FillOptions::default()
+    };
+    let filled = fill_holes(&shape.positions, &shape.triangles, &asked).unwrap();
+    let hole = filled
+        .loops
+        .iter()
+        .find(|report| !report.triangles.is_empty())
+        .unwrap();
+    let fairing = hole.fairing.as_ref().unwrap();
+    let what = format!("{of:?} {centre:?} {edge} {seed}: {:?}", fairing.sharp_edges);
+    assert!(hole.is_success(), "{what}: {:?}", fairing.outcome);
+    assert_eq!(fairing.sharp_edges.len(), 1, "{what}");
+    assert!(!fairing.sharp_edges[0].vertices.is_empty(), "{what}");
+    let loops = boundary_loops(&filled.positions, &filled.triangles).unwrap();
+    assert_eq!(loops.len(), 1, "{what}");
+    for parents in &filled.parents {
+        assert_near!(parents.weights.iter().sum::<f64>(), 1.0, 1e-12);
+        assert!(
+            parents
+                .vertices
+                .iter()
+                .all(|&v| (v as usize) < shape.positions.len())
+        );
+    }
+    let new = filled.positions[shape.positions.len()..].iter();
+    let error = new.map(|p| distance(of, *p)).fold(0.0, f64::max);
+    println!("{what}: {error:.1e}");
+    error
+}
+
+#[test]
+fn holes_across_edges_are_closed_with_them() {
+    let bars = [
+        (Creased::Wedge(30.0), 1e-6),
+        (Creased::Wedge(-90.0), 1e-6),
+        (Creased::Wedge(150.0), 1e-6),
+        (Creased::CubeCorner, 1e-6),
+        (Creased::CappedCylinder, 1e-4),
+        (Creased::Cone(30.0), 2e-4),
+    ];
+    for (of, bar) in bars {
+        for place in PLACES {
+            for seed in 1..=*tier(&2, &10) {
+                assert_below!(filled_off(of, place, EDGE, seed), bar);
+            }
+        }
+    }
+}
+
+/// Where it is smooth, a hole is filled with the same bits.
+#[test]
+fn smooth_holes_keep_their_bits() {
+    let shape = sphere_cap(60.0, 400, irregular(1), 6);
+    let triangles = shape
+        .triangles
+        .iter()
+        .filter(|tri| !tri.iter().any(|&v| shape.free[v as usize]));
+    let triangles: Vec<[u32; 3]> = triangles.copied().collect();
+    let [with, without] = [sharp_options(), options(1e-9)].map(|fairing| {
+        let asked = FillOptions {
+            fairing,
+            ..FillOptions::default()
+        };
+        fill_holes(&shape.positions, &triangles, &asked).unwrap()
+    });
+    assert_eq!(with.positions, without.positions);
+    assert_eq!(with.triangles, without.triangles);
 }

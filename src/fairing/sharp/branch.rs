@@ -7,11 +7,11 @@ use crate::fairing::sharp_edge::CreaseEnd;
 
 /// A crease from one of the ends to another, or to a corner.
 #[derive(Debug, Clone)]
-pub(super) struct Branch {
+pub(crate) struct Branch {
     /// The boundary vertex that it comes from.
-    pub(super) from: u32,
+    pub(crate) from: u32,
     /// The boundary vertex that it runs to; none: the corner.
-    pub(super) to: Option<u32>,
+    pub(crate) to: Option<u32>,
     pub(super) curve: Curve,
     /// Unit normals left and right of it, at the points of the curve.
     normals: [Vec<Vector3<f64>>; 2],
@@ -26,6 +26,9 @@ pub(super) fn inward(end: &CreaseEnd, positions: &[[f64; 3]]) -> CurvePoint {
 }
 
 impl Branch {
+    /// A fixed vertex this near to a crease (in edges) is on it.
+    pub(crate) const ON: f64 = 0.1;
+
     /// From end to end; `None` where no curve leads there.
     pub(super) fn between(ends: [&CreaseEnd; 2], positions: &[[f64; 3]]) -> Option<Self> {
         let [start, mut last] = ends.map(|end| inward(end, positions));
@@ -61,8 +64,23 @@ impl Branch {
         self
     }
 
+    pub(crate) fn length(&self) -> f64 {
+        self.curve.length
+    }
+
+    /// The point at this part of the length.
+    pub(crate) fn at(&self, part: f64) -> Vector3<f64> {
+        self.curve.at(part).at
+    }
+
+    /// Which part of the length is before a vertex that is on the crease, where edges are about so long; none off it.
+    pub(crate) fn part_of(&self, x: &Vector3<f64>, edge: f64) -> Option<f64> {
+        let (part, off) = self.curve.nearest(x);
+        (off < Self::ON * edge).then_some(part)
+    }
+
     /// The normals left and right at this part of the length.
-    pub(super) fn normals(&self, part: f64) -> [Vector3<f64>; 2] {
+    pub(crate) fn normals(&self, part: f64) -> [Vector3<f64>; 2] {
         [0, 1].map(|side| between_points(&self.normals[side], part))
     }
 

@@ -25,8 +25,6 @@ const LONG: usize = 5;
 const LASTS: f64 = 0.7;
 /// A chain turns by no more than this from edge to edge, degrees.
 const TURN: f64 = 50.0;
-/// An edge that bends by less than this part of the angle asked for is in no chain.
-const FIRST_BEND: f64 = 0.5;
 
 /// The ends of creases of at least so many degrees at the boundary of the region of the free vertices, by their vertices.
 pub(crate) fn crease_ends(outside: &Outside<'_>, least: f64) -> Vec<CreaseEnd> {
@@ -44,9 +42,12 @@ pub(super) fn normals_near(outside: &Outside<'_>, ends: &[&CreaseEnd], least: f6
 
 /// The crease that arrives at a boundary vertex; `None` also where several do: a corner.
 fn end_at(outside: &Outside<'_>, v: u32, least: f64) -> Option<CreaseEnd> {
-    let bends = |w: &u32| outside.bend(v, *w).abs() >= FIRST_BEND * least;
+    let bends = |w: &u32| outside.bend(v, *w).abs() >= CreaseEnd::FIRST_BEND * least;
     let first = outside.neighbours(v).into_iter().filter(bends);
-    let mut ends = first.filter_map(|w| along(outside, chain(outside, v, w, least), least));
+    let chains = first.map(|w| chain(outside, v, w, least));
+    // An edge alone between boundary vertices leads into the region.
+    let chains = chains.filter(|chain| chain.len() > 2 || !outside.is_boundary[chain[1] as usize]);
+    let mut ends = chains.filter_map(|chain| along(outside, chain, least));
     let end = ends.next()?;
     ends.next().is_none().then_some(end)
 }
@@ -120,7 +121,8 @@ fn chain(outside: &Outside<'_>, v: u32, w: u32, least: f64) -> Vec<u32> {
             let step = (outside.position(next) - outside.position(last)).normalize();
             let straight = step.dot(&direction);
             let bend = outside.bend(last, next) * sign;
-            (straight > straightest && bend >= FIRST_BEND * least).then_some((straight * bend, next))
+            (straight > straightest && bend >= CreaseEnd::FIRST_BEND * least)
+                .then_some((straight * bend, next))
         };
         let neighbours = outside.neighbours(last).into_iter().filter_map(sharpness);
         match neighbours.max_by(|a, b| a.0.total_cmp(&b.0)) {

@@ -1,7 +1,7 @@
 //! Which ends of creases belong together: pairs, corners of three, and those that fit nothing.
 //!
 //! All ways to group them are looked at, and the one is taken whose curves bend least, where an end alone costs as much as a curve that turns
-//! by about 115 degrees. Who fits whom is asked of convexity and angles, too.
+//! by about 200 degrees. Who fits whom is asked of convexity and angles, too.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -10,7 +10,7 @@ use crate::discrete::boundary_normals::angle;
 use crate::fairing::sharp_edge::CreaseEnd;
 
 /// What an end alone costs, in squares of radians.
-const ALONE: f64 = 2.0;
+const ALONE: f64 = 6.0;
 /// The angles at both ends of a crease differ by no more than this, degrees.
 const UNLIKE: f64 = 45.0;
 /// No crease turns by more, as the root of its mean square in radians.

@@ -24,10 +24,27 @@ impl<'a> Outside<'a> {
             let fixed = tri.iter().filter(|v| !is_free[**v as usize]);
             fixed.for_each(|&v| is_boundary[v as usize] = true);
         }
-        let corners = (0..)
-            .zip(triangles)
-            .filter(|(_, tri)| !has_free(tri))
-            .flat_map(|(t, tri)| tri.map(|v| (v, t)));
+        let outside = |tri: &[u32; 3]| !has_free(tri);
+        Self::of(positions, triangles, is_boundary, outside)
+    }
+
+    /// Of triangles that are all outside, with this boundary.
+    pub(super) fn around(
+        positions: &'a [[f64; 3]],
+        triangles: &'a [[u32; 3]],
+        is_boundary: Vec<bool>,
+    ) -> Self {
+        Self::of(positions, triangles, is_boundary, |_| true)
+    }
+
+    fn of(
+        positions: &'a [[f64; 3]],
+        triangles: &'a [[u32; 3]],
+        is_boundary: Vec<bool>,
+        is_outside: impl Fn(&[u32; 3]) -> bool,
+    ) -> Self {
+        let outside = (0..).zip(triangles).filter(|(_, tri)| is_outside(tri));
+        let corners = outside.flat_map(|(t, tri)| tri.map(|v| (v, t)));
         Self {
             positions,
             triangles,

@@ -19,8 +19,6 @@ use crate::solve::Domain;
 
 /// What an edge on the crease costs, in those that are one edge off it.
 const ON_CREASE: f64 = 0.25;
-/// A fixed vertex this near to a crease (in edges) is on it.
-const ON: f64 = 0.1;
 /// Edges of a path, spread along the crease, are no longer or shorter than those around by this factor.
 const STRETCH: f64 = 2.5;
 
@@ -118,7 +116,7 @@ impl<'a> Membrane<'a> {
     /// Which fixed vertices are on a crease.
     fn on(&self, branch: &Branch) -> Vec<bool> {
         let near = |(v, x): (usize, &Vector3<f64>)| {
-            !self.domain.region.is_free(v as u32) && branch.curve.nearest(x).1 < ON * self.edge
+            !self.domain.region.is_free(v as u32) && branch.part_of(x, self.edge).is_some()
         };
         self.x.iter().enumerate().map(near).collect()
     }

@@ -35,7 +35,7 @@ pub(super) struct Sides {
 }
 
 impl Sides {
-    /// The neighbourhood of the first vertices of a chain, parted also along the edges that bend by so much where the chain ends at a corner.
+    /// The neighbourhood of the first vertices of a chain, parted also along the edges that bend by so much at its ends.
     pub(super) fn new(outside: &Outside<'_>, chain: &[u32], least: f64) -> Self {
         let around = outside.within(chain[0], AROUND);
         let mut ids: Vec<u32> = around.iter().flatten().copied().collect();
@@ -122,7 +122,7 @@ impl Sides {
         fine.filter(|fine| fine.error < coarse.error).or(Some(coarse))
     }
 
-    /// The plane at a vertex, where it goes through all vertices of two rings, and where it goes through those of one.
+    /// The plane at a vertex, where it goes through all vertices of two rings, and where it goes through those of one and enough others.
     fn planes(&self, v: u32, normal: Vector3<f64>) -> [Option<Fit>; 2] {
         let mut near = Vec::new();
         let ends: [usize; 2] = self.neighbours.rings(v, &mut near);
@@ -132,7 +132,8 @@ impl Sides {
         };
         let within = |end: usize| {
             let error = near[..end].iter().map(slope).fold(0.0, f64::max);
-            (end >= FEWEST && error < FLAT).then_some(Fit { normal, error })
+            let on_plane = near.iter().filter(|w| slope(w) < FLAT).count();
+            (on_plane >= FEWEST && error < FLAT).then_some(Fit { normal, error })
         };
         [within(ends[1]), within(ends[0])]
     }
@@ -147,15 +148,20 @@ impl Sides {
     }
 }
 
-/// The edges that bend by so much and are reached over such edges from the last vertex of a chain.
+/// The edges that bend by so much and are reached over such edges from the last vertex of a chain; and those from its first one along the
+/// boundary, where it goes on.
 fn beyond(outside: &Outside<'_>, chain: &[u32], least: f64, is_near: impl Fn(u32) -> bool) -> Vec<[u32; 2]> {
+    let creased = |at: u32| {
+        let others = outside.neighbours(at).into_iter();
+        others.filter(move |w| !chain.contains(w) && outside.bend(at, *w).abs() >= least)
+    };
+    let along = creased(chain[0]).filter(|w| outside.is_boundary[*w as usize]);
+    let mut edges: Vec<[u32; 2]> = along.map(|w| [chain[0], w]).collect();
     let mut reached = vec![chain[chain.len() - 1]];
-    let mut edges = Vec::new();
     let mut next = 0;
     while next < reached.len() {
         let at = reached[next];
-        let creased = |w: &u32| is_near(*w) && !chain.contains(w) && outside.bend(at, *w).abs() >= least;
-        for w in outside.neighbours(at).into_iter().filter(creased) {
+        for w in creased(at).filter(|w| is_near(*w)) {
             edges.push([at, w]);
             if !reached.contains(&w) {
                 reached.push(w);

@@ -1,0 +1,426 @@
+//! A loop divided along the creases that go on through it: each side is a loop of its own, around which the mesh is parted.
+
+use std::collections::HashMap;
+
+use nalgebra::Vector3;
+
+use super::surroundings::Surroundings;
+use crate::fairing::{BoundaryCrease, BoundaryNormals, Branch, CreaseEnd, Options};
+use crate::mesh::NONE;
+use crate::mesh::parted::{Parted, part};
+
+/// Vertices of the loop that are on a crease have no more than so many others between them.
+const GAP: u32 = 2;
+
+/// A vertex of a side: one of the loop, or behind these a new one on a crease.
+#[derive(Debug, Clone, Copy)]
+struct Corner {
+    v: u32,
+    /// On creases the normal of this side, and that of the other one.
+    normals: Option<[Vector3<f64>; 2]>,
+}
+
+/// A new vertex on a crease.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CreaseVertex {
+    pub(super) x: Vector3<f64>,
+    /// Vertices of the loop at which its creases end, and their weights.
+    pub(super) ends: [(u32, f64); 3],
+}
+
+/// One side.
+pub(super) struct Side {
+    pub(super) around: Surroundings,
+    pub(super) options: Options,
+    /// Per vertex of `around` its number in the whole, where new vertices on creases come after all.
+    pub(super) whole: Vec<u32>,
+}
+
+/// The sides of a loop.
+pub(super) struct DividedLoop {
+    pub(super) sides: Vec<Side>,
+    pub(super) new: Vec<CreaseVertex>,
+    /// Which creases divide it, and the vertices along each.
+    pub(super) followed: Vec<(usize, Vec<u32>)>,
+}
+
+/// The division of the only loop of these surroundings; none where no crease goes on. `length` is that of new edges over those around.
+pub(super) fn divide(
+    around: &Surroundings,
+    options: &Options,
+    creases: &[BoundaryCrease],
+    length: f64,
+) -> Option<DividedLoop> {
+    let all = (0..around.loop_vertices as u32).map(|v| Corner { v, normals: None });
+    let mut polygons: Vec<Vec<Corner>> = vec![all.collect()];
+    let mut new = Vec::new();
+    let mut followed = Vec::new();
+    let mut rims = Vec::new();
+    for (i, crease) in (0..)
+        .zip(creases)
+        .filter(|(_, crease)| !crease.branches.is_empty())
+    {
+        let has = |polygon: &[Corner], end: &CreaseEnd| polygon.iter().any(|c| c.v == end.vertex);
+        let has_all = |polygon: &Vec<Corner>| crease.ends.iter().all(|end| has(polygon, end));
+        // Creases that cross have no polygon in common.
+        if !polygons.iter().any(has_all) {
+            continue;
+        }
+        let before = new.len();
+        let Some(ways) = ways(around, crease, length, &mut new) else {
+            new.truncate(before);
+            continue;
+        };
+        split(&mut polygons, &ways);
+        let along = ways.iter().flat_map(|way| way.vertices.iter().map(|(v, _)| *v));
+        followed.push((i, along.collect()));
+        rims.extend(ways.iter().flat_map(Way::rim));
+    }
+    if followed.is_empty() {
+        return None;
+    }
+    let of: Vec<&BoundaryCrease> = followed.iter().map(|(i, _)| &creases[*i]).collect();
+    let chains = of.iter().flat_map(|crease| &crease.ends);
+    let cut = chains.flat_map(|end| end.chain.windows(2).map(|step| [step[0], step[1]]));
+    let cut: Vec<[u32; 2]> = cut.chain(rims).collect();
+    let parted = part(around.x.len(), &around.triangles, &cut);
+    let run = Division {
+        around,
+        parted: &parted,
+        near: of.iter().flat_map(|crease| crease.near.iter().copied()).collect(),
+        new: &new,
+    };
+    let sides = polygons.iter().map(|polygon| run.side(polygon, options));
+    let sides = sides.collect::<Option<_>>()?;
+    Some(DividedLoop { sides, new, followed })
+}
+
+/// A vertex on a crease, with the normals left and right.
+type OnCrease = (u32, [Vector3<f64>; 2]);
+
+/// The way along a branch.
+struct Way {
+    vertices: Vec<OnCrease>,
+    /// Other vertices of the loop that are on the crease.
+    beside: Vec<OnCrease>,
+}
+
+impl Way {
+    fn first(&self) -> u32 {
+        self.vertices[0].0
+    }
+
+    fn last(&self) -> u32 {
+        self.vertices[self.vertices.len() - 1].0
+    }
+
+    /// The normals along a loop that runs along the whole crease.
+    fn tell(&self, polygon: &mut [Corner]) {
+        let count = polygon.len();
+        let (Some(corner), Some(end)) = (place(polygon, self.last()), self.beside.last()) else {
+            return;
+        };
+        let Some(end) = place(polygon, end.0) else { return };
+        let is_forward = (corner + count - end) % count < (end + count - corner) % count;
+        let all = [&self.vertices[..], &self.beside].concat();
+        let all = if is_forward { forward(&all) } else { backward(&all) };
+        for corner in polygon.iter_mut().filter(|corner| corner.normals.is_none()) {
+            let told = all.iter().find(|told| told.v == corner.v);
+            corner.normals = told.and_then(|told| told.normals);
+        }
+    }
+
+    /// All pairs of vertices of the loop on the crease, of which some are edges.
+    fn rim(&self) -> Vec<[u32; 2]> {
+        let ends = [self.first(), self.last()];
+        let all: Vec<u32> = self.beside.iter().map(|(v, _)| *v).chain(ends).collect();
+        let pairs = all
+            .iter()
+            .enumerate()
+            .flat_map(|(i, &v)| all[..i].iter().map(move |&w| [v, w]));
+        pairs.collect()
+    }
+}
+
+/// The ways along the branches of a crease, with `new` vertices about as far apart as around, times `length`; those to a corner share it.
+fn ways(
+    around: &Surroundings,
+    crease: &BoundaryCrease,
+    length: f64,
+    new: &mut Vec<CreaseVertex>,
+) -> Option<Vec<Way>> {
+    let sizes = around.sizes().0;
+    let size = |end: &CreaseEnd| sizes[end.vertex as usize];
+    let size = crease.ends.iter().map(size).sum::<f64>() / crease.ends.len() as f64;
+    let mut add = |x, ends| {
+        new.push(CreaseVertex { x, ends });
+        (around.loop_vertices + new.len() - 1) as u32
+    };
+    let corner = match &crease.ends[..] {
+        [a, b, c] => {
+            let at = crease.branches[0].at(1.0);
+            let near = |v: &u32| (around.x[*v as usize] - at).norm() < Branch::ON * size;
+            let thirds = [a, b, c].map(|end| (end.vertex, 1.0 / 3.0));
+            let of_loop = (0..around.loop_vertices as u32).find(near);
+            Some(of_loop.unwrap_or_else(|| add(at, thirds)))
+        }
+        _ => None,
+    };
+    let mut way = |branch: &Branch| {
+        let start = farthest(on_crease(around, branch, branch.from, size), 0.0);
+        let end = match branch.to {
+            Some(to) => farthest(on_crease(around, branch, to, size), 1.0),
+            None => vec![(corner?, 1.0)],
+        };
+        let [(first, from), (last, to)] = [start[0], end[0]];
+        let steps = ((to - from) * branch.length() / (size * length)).round().max(1.0);
+        let other = branch.to.unwrap_or(branch.from);
+        let mut inner = |k: u32| {
+            let part = from + (to - from) * f64::from(k) / steps;
+            let ends = [(branch.from, 1.0 - part), (other, part), (other, 0.0)];
+            (add(branch.at(part), ends), part)
+        };
+        let mut all = vec![(first, from)];
+        if first != last {
+            all.extend((1..steps as u32).map(&mut inner));
+            all.push((last, to));
+        }
+        let is_taken = around.taken.contains(&(first.min(last), first.max(last)));
+        let is_way = first == last || from < to && !(all.len() == 2 && is_taken);
+        let with_normals = |(v, part): (u32, f64)| (v, branch.normals(part));
+        let beside = start[1..].iter().chain(&end[1..]).copied();
+        is_way.then(|| Way {
+            vertices: all.into_iter().map(with_normals).collect(),
+            beside: beside.map(with_normals).collect(),
+        })
+    };
+    crease.branches.iter().map(&mut way).collect()
+}
+
+/// The vertices of the loop that are on a branch, one near the other from an end of it on, and which part of it is before them: where the
+/// loop runs along the crease, it is there already.
+fn on_crease(around: &Surroundings, branch: &Branch, end: u32, edge: f64) -> Vec<(u32, f64)> {
+    let count = around.loop_vertices as u32;
+    let mut all = vec![(end, if end == branch.from { 0.0 } else { 1.0 })];
+    for step in [1, count - 1] {
+        let mut last = 0;
+        for k in 1..count {
+            let v = (end + k * step) % count;
+            match branch.part_of(&around.x[v as usize], edge) {
+                Some(part) => {
+                    all.push((v, part));
+                    last = k;
+                }
+                None if k - last > GAP => break,
+                None => {}
+            }
+        }
+    }
+    all
+}
+
+/// First the one that is farthest from this part.
+fn farthest(mut all: Vec<(u32, f64)>, from: f64) -> Vec<(u32, f64)> {
+    all.sort_by(|a, b| (b.1 - from).abs().total_cmp(&(a.1 - from).abs()));
+    all
+}
+
+/// Divides polygons along the ways of a crease: in two by each, or in three where they have a new corner in common.
+fn split(polygons: &mut Vec<Vec<Corner>>, ways: &[Way]) {
+    let share = |polygon: &[Corner]| ways.iter().all(|way| place(polygon, way.first()).is_some());
+    let is_new = |way: &&Way| {
+        polygons
+            .iter()
+            .all(|polygon| place(polygon, way.last()).is_none())
+    };
+    if ways.iter().any(|way| is_new(&way)) {
+        if let Some(at) = polygons.iter().position(|polygon| share(polygon)) {
+            let polygon = polygons.swap_remove(at);
+            polygons.extend(around_corner(&polygon, ways));
+        }
+        return;
+    }
+    for way in ways {
+        if way.vertices.len() == 1 {
+            polygons.iter_mut().for_each(|polygon| way.tell(polygon));
+            continue;
+        }
+        let has = |polygon: &Vec<Corner>| Some([place(polygon, way.first())?, place(polygon, way.last())?]);
+        let Some((at, [a, b])) = (0..).zip(polygons.iter()).find_map(|(i, p)| Some((i, has(p)?))) else {
+            continue;
+        };
+        let polygon = polygons.swap_remove(at);
+        let (left, right) = (forward(&way.vertices), backward(&way.vertices));
+        polygons.push(between(&polygon, [a, b], right, &backward(&way.beside)));
+        polygons.push(between(&polygon, [b, a], left, &forward(&way.beside)));
+    }
+}
+
+fn place(polygon: &[Corner], v: u32) -> Option<usize> {
+    polygon.iter().position(|corner| corner.v == v)
+}
+
+/// The parts of a polygon between every two of the ways to a corner.
+fn around_corner(polygon: &[Corner], ways: &[Way]) -> Vec<Vec<Corner>> {
+    let of = |way| Some((place(polygon, Way::first(way))?, way));
+    let mut order: Vec<(usize, &Way)> = ways.iter().filter_map(of).collect();
+    order.sort_by_key(|(at, _)| *at);
+    let parts = (0..order.len()).map(|k| {
+        let ((a, first), (b, second)) = (order[k], order[(k + 1) % order.len()]);
+        // To the corner and back from it.
+        let mut way = forward(&second.vertices);
+        way.extend(&backward(&first.vertices)[1..]);
+        let beside = [forward(&second.beside), backward(&first.beside)].concat();
+        between(polygon, [a, b], way, &beside)
+    });
+    parts.collect()
+}
+
+/// Vertices on a crease, as what is left of it has them.
+fn forward(way: &[OnCrease]) -> Vec<Corner> {
+    let corner = |&(v, [left, right]): &OnCrease| Corner {
+        v,
+        normals: Some([left, right]),
+    };
+    way.iter().map(corner).collect()
+}
+
+/// The way back, as what is right of it has it.
+fn backward(way: &[OnCrease]) -> Vec<Corner> {
+    let corner = |&(v, [left, right]): &OnCrease| Corner {
+        v,
+        normals: Some([right, left]),
+    };
+    way.iter().rev().map(corner).collect()
+}
+
+/// The polygon from one place to another, and then back along a way that begins and ends there. What is beside it has its normals.
+fn between(polygon: &[Corner], [a, b]: [usize; 2], way: Vec<Corner>, beside: &[Corner]) -> Vec<Corner> {
+    let count = polygon.len();
+    let inner = (1..(b + count - a) % count).map(|k| {
+        let corner = polygon[(a + k) % count];
+        let on_crease = beside.iter().find(|c| c.v == corner.v);
+        on_crease.copied().unwrap_or(corner)
+    });
+    let back = way[..way.len() - 1].iter().copied();
+    way.last().copied().into_iter().chain(inner).chain(back).collect()
+}
+
+/// What the sides are made of.
+struct Division<'a> {
+    around: &'a Surroundings,
+    parted: &'a Parted,
+    near: HashMap<u32, [f64; 3]>,
+    new: &'a [CreaseVertex],
+}
+
+impl Division<'_> {
+    /// The loop of a side; `None` where an edge of it has no triangle.
+    fn side(&self, polygon: &[Corner], options: &Options) -> Option<Side> {
+        let (around, count) = (self.around, polygon.len());
+        let known = around.x.len() as u32;
+        let crease_vertex = |v: u32| v.checked_sub(around.loop_vertices as u32);
+        // Of each vertex of the loop its number in the parted mesh.
+        let mut parted = vec![NONE; count];
+        let mut open = Vec::new();
+        let mut normals = Vec::with_capacity(count);
+        for k in 0..count {
+            let [from, to] = [polygon[k], polygon[(k + 1) % count]];
+            let own = self.loop_edge(from, to);
+            if own {
+                [parted[k], parted[(k + 1) % count]] = self.outside(from.v, to.v)?;
+                normals.push(around.normals[from.v as usize]);
+            } else {
+                open.push([k, (k + 1) % count].map(|k| k as u32));
+                let of = |c: Corner| c.normals.map_or_else(Vector3::zeros, |[own, _]| own);
+                let sum = of(from) + of(to);
+                normals.push(sum.try_normalize(1e-9).unwrap_or_default());
+            }
+        }
+        let mut number: HashMap<u32, u32> = (0..)
+            .zip(&parted)
+            .filter(|(_, v)| **v != NONE)
+            .map(|(k, v)| (*v, k))
+            .collect();
+        let original = |v: u32| {
+            v.checked_sub(known)
+                .map_or(v, |copy| self.parted.copy_of[copy as usize])
+        };
+        let mut whole: Vec<u32> = polygon
+            .iter()
+            .map(|c| crease_vertex(c.v).map_or(c.v, |new| known + new))
+            .collect();
+        let triangles = self.parted.triangles.iter().map(|tri| {
+            tri.map(|v| {
+                *number.entry(v).or_insert_with(|| {
+                    whole.push(original(v));
+                    whole.len() as u32 - 1
+                })
+            })
+        });
+        let triangles: Vec<[u32; 3]> = triangles.collect();
+        let x = |v: &u32| {
+            v.checked_sub(known)
+                .map_or_else(|| around.x[*v as usize], |new| self.new[new as usize].x)
+        };
+        let around = around.with_loop(
+            (whole.clone(), whole.iter().map(x).collect()),
+            triangles,
+            normals,
+            (self.taken(polygon), open),
+        );
+        Some(Side {
+            options: self.options(polygon, options),
+            around,
+            whole,
+        })
+    }
+
+    /// Whether an edge is one of the loop whose triangle is on this side.
+    fn loop_edge(&self, from: Corner, to: Corner) -> bool {
+        if self.around.after(from.v) != Some(to.v) {
+            return false;
+        }
+        let triangle = self.around.normals[from.v as usize];
+        let on_crease = from.normals.zip(to.normals);
+        on_crease.is_none_or(|(from, to)| triangle.dot(&(from[0] + to[0])) > triangle.dot(&(from[1] + to[1])))
+    }
+
+    /// The corners in the parted mesh of the triangle outside an edge of the loop.
+    fn outside(&self, from: u32, to: u32) -> Option<[u32; 2]> {
+        let both = self.around.triangles.iter().zip(&self.parted.triangles);
+        both.into_iter().find_map(|(tri, parted)| {
+            let k = (0..3).find(|&k| [tri[(k + 1) % 3], tri[k]] == [from, to])?;
+            Some([parted[(k + 1) % 3], parted[k]])
+        })
+    }
+
+    /// Pairs of the side's vertices that the mesh has an edge between.
+    fn taken(&self, polygon: &[Corner]) -> Vec<(u32, u32)> {
+        let place: HashMap<u32, u32> = (0..).zip(polygon).map(|(k, c)| (c.v, k)).collect();
+        let pair = |&(a, b): &(u32, u32)| {
+            let (a, b) = (*place.get(&a)?, *place.get(&b)?);
+            Some((a.min(b), a.max(b)))
+        };
+        let mut taken: Vec<(u32, u32)> = self.around.taken.iter().filter_map(pair).collect();
+        taken.sort_unstable();
+        taken
+    }
+
+    /// With the normals along creases, and beside their ends.
+    fn options(&self, polygon: &[Corner], options: &Options) -> Options {
+        let given = match &options.boundary_normals {
+            BoundaryNormals::Given(list) => &list[..],
+            BoundaryNormals::Fitted | BoundaryNormals::Averaged => &[],
+        };
+        let own = |(k, corner): (u32, &Corner)| {
+            let given = given.iter().find(|(v, _)| *v == corner.v).map(|(_, n)| *n);
+            let normal = corner.normals.map(|[own, _]| own.into()).or(given);
+            Some((k, normal.or_else(|| self.near.get(&corner.v).copied())?))
+        };
+        Options {
+            boundary_normals: BoundaryNormals::Given((0..).zip(polygon).filter_map(own).collect()),
+            ..options.clone()
+        }
+    }
+}
