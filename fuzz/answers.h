@@ -71,6 +71,24 @@ static inline void read_components(const Reading *reading, uint64_t index, uint6
     }
 }
 
+/* What became of sharp edges, and where they arrive. */
+static inline void read_sharp_edges(const Reading *reading, uint64_t index, uint64_t count) {
+    uint64_t k, i;
+    for (k = 0; k < INDICES; k++) {
+        uint64_t number = index_at(k, count);
+        fairmesh_sharp_edge edge;
+        memset(&edge, 0, sizeof edge);
+        edge.struct_size = sizeof edge;
+        if (READ(fairmesh_result_sharp_edge(reading->result, index, number, &edge, &told)) == FAIRMESH_STATUS_OK) MUST(number < count);
+        READ(fairmesh_result_sharp_edge(reading->result, index, number, ROOM(reading, fairmesh_sharp_edge), &told));
+        for (i = 0; i < INDICES; i++) {
+            uint64_t end = index_at(i, edge.end_count);
+            if (READ(fairmesh_result_crease_end(reading->result, index, number, end, ROOM(reading, fairmesh_crease_end), &told)) == FAIRMESH_STATUS_OK)
+                MUST(end < edge.end_count);
+        }
+    }
+}
+
 /* A list: its size, then all of it, then with one place less than it needs. */
 static inline void read_list(const Reading *reading, uint32_t which, uint64_t index) {
     size_t size = 0, again = 0;
@@ -88,7 +106,10 @@ static inline void read_index(const Reading *reading, uint64_t index) {
     uint32_t which;
     fairmesh_report report;
     report.struct_size = sizeof report;
-    if (READ(fairmesh_result_report(reading->result, index, &report, &told)) == FAIRMESH_STATUS_OK) read_components(reading, index, report.component_count);
+    if (READ(fairmesh_result_report(reading->result, index, &report, &told)) == FAIRMESH_STATUS_OK) {
+        read_components(reading, index, report.component_count);
+        read_sharp_edges(reading, index, report.sharp_edge_count);
+    }
     READ(fairmesh_result_report(reading->result, index, ROOM(reading, fairmesh_report), &told));
     READ(fairmesh_result_fill_report(reading->result, index, ROOM(reading, fairmesh_fill_report), &told));
     READ(fairmesh_result_bump(reading->result, index, ROOM(reading, fairmesh_bump), &told));

@@ -64,6 +64,11 @@
 #define FAIRMESH_NO_ELEMENT UINT64_MAX
 
 /**
+ * The value of the option `sharp` at which only edges that are certain go on, in degrees.
+ */
+#define FAIRMESH_SHARP_AUTO 20.0
+
+/**
  * Major version of the interface: it changes when something does that programs rely on.
  */
 #define FAIRMESH_VERSION_MAJOR 0
@@ -939,6 +944,39 @@ typedef uint32_t fairmesh_gap_kind;
 #endif // __cplusplus
 
 /**
+ * What became of ends of sharp edges that belong together. Numbers are never reused.
+ */
+enum fairmesh_sharp_fate
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * The crease goes on through the region, from end to end.
+     */
+    FAIRMESH_SHARP_FATE_GOES_ON = 0,
+    /**
+     * Three creases go on to a corner in the region.
+     */
+    FAIRMESH_SHARP_FATE_CORNER = 1,
+    /**
+     * No other end fits it: the region is smooth there.
+     */
+    FAIRMESH_SHARP_FATE_ALONE = 2,
+    /**
+     * No path of edges can follow the crease: the region is smooth there.
+     */
+    FAIRMESH_SHARP_FATE_NO_PATH = 3,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_sharp_fate fairmesh_sharp_fate;
+#else
+typedef uint32_t fairmesh_sharp_fate;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
  * What a loop gets whose patch is no success: not fair, creased, intersecting, or with any other reservation. Numbers are never reused.
  */
 enum fairmesh_on_failure
@@ -1118,6 +1156,10 @@ enum fairmesh_list
      * Boundary vertices where the surface has a crease, where the outcome is about them.
      */
     FAIRMESH_LIST_CREASED_VERTICES = 6,
+    /**
+     * The vertices along sharp edges, one edge after the other. Those that were free have been placed on them.
+     */
+    FAIRMESH_LIST_SHARP_VERTICES = 7,
     /**
      * Faired meshes: the boundary vertices, ascending. A vertex where components have different normals stands there with each.
      */
@@ -1516,6 +1558,10 @@ enum fairmesh_answer
      * A `fairmesh_gap_kind`.
      */
     FAIRMESH_ANSWER_GAP_KIND = 7,
+    /**
+     * A `fairmesh_sharp_fate`.
+     */
+    FAIRMESH_ANSWER_SHARP_FATE = 8,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -2281,6 +2327,10 @@ typedef struct fairmesh_report {
      * Bending energy, the integral of H^2 over the free vertices, without unit; the sum of all components.
      */
     double bending_energy;
+    /**
+     * Sharp edges that reach the boundary, where the options' `sharp` asks for them, see `fairmesh_result_sharp_edge`.
+     */
+    uint64_t sharp_edge_count;
 } fairmesh_report;
 
 /**
@@ -2765,6 +2815,71 @@ typedef struct fairmesh_continuity {
      */
     double uncertainty;
 } fairmesh_continuity;
+
+/**
+ * Ends of sharp edges that belong together, and what became of them. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_sharp_edge {
+    /**
+     * `sizeof(fairmesh_sharp_edge)`.
+     */
+    uint32_t struct_size;
+    /**
+     * A `fairmesh_sharp_fate`.
+     */
+    uint32_t fate;
+    /**
+     * Its ends, one to three, see `fairmesh_result_crease_end`.
+     */
+    uint64_t end_count;
+    /**
+     * The vertices along it, from end to end, or from each end to the corner one after the other; 0 where it does not go on. They
+     * stand in the list SHARP_VERTICES,
+     */
+    uint64_t vertex_count;
+    /**
+     * from this place on.
+     */
+    uint64_t first_vertex;
+} fairmesh_sharp_edge;
+
+/**
+ * Where a sharp edge of the surroundings arrives at the boundary of the region. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_crease_end {
+    /**
+     * `sizeof(fairmesh_crease_end)`.
+     */
+    uint32_t struct_size;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * The boundary vertex at which it arrives.
+     */
+    uint64_t vertex;
+    /**
+     * The angle between the normals, in degrees: above 0 on a ridge, below on a groove.
+     */
+    double angle;
+    /**
+     * The standard error of the angle, in degrees.
+     */
+    double error;
+    /**
+     * Unit tangent, into the region.
+     */
+    double direction[3];
+    /**
+     * Unit normal of the surface left of it,
+     */
+    double normal_left[3];
+    /**
+     * and right of it.
+     */
+    double normal_right[3];
+} fairmesh_crease_end;
 
 /**
  * A boundary loop. Set `struct_size` before the call.
@@ -3535,6 +3650,29 @@ fairmesh_status fairmesh_result_continuity(const struct fairmesh_result *result,
                                            uint64_t component,
                                            uint64_t number,
                                            struct fairmesh_continuity *continuity,
+                                           struct fairmesh_error *error);
+
+/**
+ * What became of one of the sharp edges that reach the boundary, by its number: the report with this `index` has
+ * `sharp_edge_count` of them.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_sharp_edge(const struct fairmesh_result *result,
+                                           uint64_t index,
+                                           uint64_t number,
+                                           struct fairmesh_sharp_edge *edge,
+                                           struct fairmesh_error *error);
+
+/**
+ * Where a sharp edge arrives at the boundary, by the number of this end: the edge has `end_count` of them. `index` and `edge` are
+ * those of `fairmesh_result_sharp_edge`.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_crease_end(const struct fairmesh_result *result,
+                                           uint64_t index,
+                                           uint64_t edge,
+                                           uint64_t number,
+                                           struct fairmesh_crease_end *end,
                                            struct fairmesh_error *error);
 
 /**

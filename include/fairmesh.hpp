@@ -258,6 +258,14 @@ public:
     fairmesh_continuity continuity(std::uint64_t component, std::uint64_t number, std::uint64_t index = 0) const {
         return detail::record<fairmesh_continuity>(fairmesh_result_continuity, handle_, index, component, number);
     }
+    /** What became of a sharp edge that reaches the boundary; its vertices are in the list FAIRMESH_LIST_SHARP_VERTICES. */
+    fairmesh_sharp_edge sharp_edge(std::uint64_t number, std::uint64_t index = 0) const {
+        return detail::record<fairmesh_sharp_edge>(fairmesh_result_sharp_edge, handle_, index, number);
+    }
+    /** Where it arrives at the boundary. */
+    fairmesh_crease_end crease_end(std::uint64_t edge, std::uint64_t number, std::uint64_t index = 0) const {
+        return detail::record<fairmesh_crease_end>(fairmesh_result_crease_end, handle_, index, edge, number);
+    }
     fairmesh_loop loop(std::uint64_t index) const {
         return detail::record<fairmesh_loop>(fairmesh_result_loop, handle_, index);
     }

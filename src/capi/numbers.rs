@@ -267,6 +267,21 @@ pub enum fairmesh_gap_kind {
     Island = 2,
 }
 
+/// What became of ends of sharp edges that belong together. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_sharp_fate {
+    /// The crease goes on through the region, from end to end.
+    GoesOn = 0,
+    /// Three creases go on to a corner in the region.
+    Corner = 1,
+    /// No other end fits it: the region is smooth there.
+    Alone = 2,
+    /// No path of edges can follow the crease: the region is smooth there.
+    NoPath = 3,
+}
+
 /// What a loop gets whose patch is no success: not fair, creased, intersecting, or with any other reservation. Numbers are never reused.
 #[repr(u32)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -13,6 +13,9 @@ use fairmesh::{
     RemeshOptions, Rim,
 };
 
+/// The value of the option `sharp` at which only edges that are certain go on, in degrees.
+pub const FAIRMESH_SHARP_AUTO: f64 = 20.0;
+
 /// What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.
 #[repr(C)]
 #[derive(Clone, Copy)]

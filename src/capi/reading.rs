@@ -6,7 +6,9 @@ use super::memory_bounds;
 use super::memory_use::Bytes;
 use super::outputs::*;
 use super::report;
-use super::results::{Content, attempt_of, component_of, continuity_of, entry, not_available};
+use super::results::{
+    Content, attempt_of, component_of, continuity_of, crease_end_of, entry, not_available, sharp_edge_of,
+};
 use super::status::*;
 use super::types::*;
 use super::views::*;
@@ -87,6 +89,41 @@ pub extern "C" fn fairmesh_result_continuity(
     read_result(result, error, |content, call| {
         put_record(continuity, Argument(5), call, || {
             continuity_of(content.report(index)?, component, number)
+        })
+    })
+}
+
+/// What became of one of the sharp edges that reach the boundary, by its number: the report with this `index` has
+/// `sharp_edge_count` of them.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_result_sharp_edge(
+    result: *const fairmesh_result,
+    index: u64,
+    number: u64,
+    edge: *mut fairmesh_sharp_edge,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    read_result(result, error, |content, call| {
+        put_record(edge, Argument(4), call, || {
+            sharp_edge_of(content.report(index)?, number)
+        })
+    })
+}
+
+/// Where a sharp edge arrives at the boundary, by the number of this end: the edge has `end_count` of them. `index` and `edge` are
+/// those of `fairmesh_result_sharp_edge`.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_result_crease_end(
+    result: *const fairmesh_result,
+    index: u64,
+    edge: u64,
+    number: u64,
+    end: *mut fairmesh_crease_end,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    read_result(result, error, |content, call| {
+        put_record(end, Argument(5), call, || {
+            crease_end_of(content.report(index)?, edge, number)
         })
     })
 }

@@ -91,6 +91,8 @@ pub struct fairmesh_report {
     pub member_weight: f64,
     /// Bending energy, the integral of H^2 over the free vertices, without unit; the sum of all components.
     pub bending_energy: f64,
+    /// Sharp edges that reach the boundary, where the options' `sharp` asks for them, see `fairmesh_result_sharp_edge`.
+    pub sharp_edge_count: u64,
 }
 
 /// What came of one component of the region: free vertices that are connected by edges, or lie around a fixed vertex inside
@@ -207,6 +209,45 @@ pub struct fairmesh_continuity {
     pub uncertainty: f64,
 }
 
+/// Ends of sharp edges that belong together, and what became of them. Set `struct_size` before the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_sharp_edge {
+    /// `sizeof(fairmesh_sharp_edge)`.
+    pub struct_size: u32,
+    /// A `fairmesh_sharp_fate`.
+    pub fate: u32,
+    /// Its ends, one to three, see `fairmesh_result_crease_end`.
+    pub end_count: u64,
+    /// The vertices along it, from end to end, or from each end to the corner one after the other; 0 where it does not go on. They
+    /// stand in the list SHARP_VERTICES,
+    pub vertex_count: u64,
+    /// from this place on.
+    pub first_vertex: u64,
+}
+
+/// Where a sharp edge of the surroundings arrives at the boundary of the region. Set `struct_size` before the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_crease_end {
+    /// `sizeof(fairmesh_crease_end)`.
+    pub struct_size: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// The boundary vertex at which it arrives.
+    pub vertex: u64,
+    /// The angle between the normals, in degrees: above 0 on a ridge, below on a groove.
+    pub angle: f64,
+    /// The standard error of the angle, in degrees.
+    pub error: f64,
+    /// Unit tangent, into the region.
+    pub direction: [f64; 3],
+    /// Unit normal of the surface left of it,
+    pub normal_left: [f64; 3],
+    /// and right of it.
+    pub normal_right: [f64; 3],
+}
+
 /// What a result is of.
 #[repr(u32)]
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -290,6 +331,8 @@ pub enum fairmesh_list {
     Intersections = 5,
     /// Boundary vertices where the surface has a crease, where the outcome is about them.
     CreasedVertices = 6,
+    /// The vertices along sharp edges, one edge after the other. Those that were free have been placed on them.
+    SharpVertices = 7,
     /// Faired meshes: the boundary vertices, ascending. A vertex where components have different normals stands there with each.
     BoundaryVertices = 16,
     /// Loops: the vertices in the direction of triangles that fill it.

@@ -2,10 +2,10 @@
 
 use super::status::{FAIRMESH_NO_ELEMENT, Failure, Text, fairmesh_status};
 use super::types::*;
-use fairmesh::{Attempt, ComponentReport, CurvatureContinuity};
+use fairmesh::{Attempt, ComponentReport, CreaseEnd, CurvatureContinuity};
 use fairmesh::{BoundaryLoop, FillOutcome, FlatReason, LoopKind, LoopReport, OpenReason};
 use fairmesh::{Bridged, JoinReason, JoinSuggestion};
-use fairmesh::{Bump, Outcome, Report, Rim, Roughness};
+use fairmesh::{Bump, Outcome, Report, Rim, Roughness, SharpEdge};
 
 /// The report of a fairing.
 pub(crate) fn report(of: &Report) -> fairmesh_report {
@@ -52,6 +52,7 @@ pub(crate) fn report(of: &Report) -> fairmesh_report {
         component_count: of.components.len() as u64,
         member_weight: member_weight(&of.outcome),
         bending_energy: quality.bending_energy,
+        sharp_edge_count: of.sharp_edges.len() as u64,
     }
 }
 
@@ -117,6 +118,38 @@ pub(crate) fn continuity(of: &CurvatureContinuity) -> fairmesh_continuity {
         curvature: of.curvature,
         uncertainty: of.uncertainty,
     }
+}
+
+/// What became of one sharp edge, by its number.
+pub(crate) fn sharp_edge(of: &[SharpEdge], number: usize) -> fairmesh_sharp_edge {
+    let edge = &of[number];
+    fairmesh_sharp_edge {
+        struct_size: size_of::<fairmesh_sharp_edge>() as u32,
+        fate: edge.fate.entry().number(),
+        end_count: edge.ends.len() as u64,
+        vertex_count: edge.vertices.len() as u64,
+        first_vertex: sharp_vertices(&of[..number]).len() as u64,
+    }
+}
+
+/// Where it arrives at the boundary.
+pub(crate) fn crease_end(of: &CreaseEnd) -> fairmesh_crease_end {
+    let [normal_left, normal_right] = of.normals;
+    fairmesh_crease_end {
+        struct_size: size_of::<fairmesh_crease_end>() as u32,
+        reserved: 0,
+        vertex: u64::from(of.vertex),
+        angle: of.angle,
+        error: of.error,
+        direction: of.direction,
+        normal_left,
+        normal_right,
+    }
+}
+
+/// The vertices along sharp edges, one after the other.
+pub(crate) fn sharp_vertices(of: &[SharpEdge]) -> Vec<u32> {
+    of.iter().flat_map(|edge| &edge.vertices).copied().collect()
 }
 
 pub(crate) fn poor(of: &Report) -> &[u32] {

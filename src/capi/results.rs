@@ -1,5 +1,7 @@
 //! What results hold, and how it is read out of them.
 
+use std::borrow::Cow;
+
 use super::report;
 use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::structs::refuse;
@@ -68,6 +70,18 @@ pub(crate) fn attempt_of(report: &Report, component: u64, attempt: u64) -> CallR
 pub(crate) fn continuity_of(report: &Report, component: u64, number: u64) -> CallResult<fairmesh_continuity> {
     let of = entry(&report.components, component, "component")?;
     entry(&of.continuity, number, "loop of continuous curvature").map(report::continuity)
+}
+
+/// One sharp edge in a report.
+pub(crate) fn sharp_edge_of(report: &Report, number: u64) -> CallResult<fairmesh_sharp_edge> {
+    entry(&report.sharp_edges, number, "sharp edge")?;
+    Ok(report::sharp_edge(&report.sharp_edges, number as usize))
+}
+
+/// One of its ends.
+pub(crate) fn crease_end_of(report: &Report, edge: u64, number: u64) -> CallResult<fairmesh_crease_end> {
+    let of = entry(&report.sharp_edges, edge, "sharp edge")?;
+    entry(&of.ends, number, "end of this sharp edge").map(report::crease_end)
 }
 
 /// Numbers of loops and the like as entries of a list.
@@ -177,11 +191,11 @@ impl Content {
         }
     }
 
-    pub(crate) fn list(&self, which: u32, index: u64) -> CallResult<&[u32]> {
+    pub(crate) fn list(&self, which: u32, index: u64) -> CallResult<Cow<'_, [u32]>> {
         let found = self.lists.iter().find(|(list, _)| *list as u32 == which);
         match found {
-            Some((_, Lists::One(list))) => return Ok(list),
-            Some((_, Lists::Each(what, lists))) => return entry(lists, index, what).map(Vec::as_slice),
+            Some((_, Lists::One(list))) => return Ok(list.into()),
+            Some((_, Lists::Each(what, lists))) => return entry(lists, index, what).map(Cow::from),
             None => {}
         }
         let of_report: fn(&Report) -> &[u32] = match which {
@@ -191,12 +205,13 @@ impl Content {
             3 => |of| &of.suspicious_normals,
             5 => |of| report::intersections(of).as_flattened(),
             6 => report::creased,
+            7 => return Ok(report::sharp_vertices(&self.report(index)?.sharp_edges).into()),
             16 | 32 | 33 | 48..=50 | 64..=66 | 80 | 96 | 112 | 113 | 128 | 144 | 145 => {
                 return Err(not_available("such list"));
             }
             _ => return Err(unknown(which, "fairmesh_list")),
         };
-        self.report(index).map(of_report)
+        self.report(index).map(|report| of_report(report).into())
     }
 }
 

@@ -1,7 +1,7 @@
 //! What the enumerations of the C interface mean. Made of the library's tables by src/declarations: do not edit.
 
 use super::statuses::{NONE, STATUSES};
-use fairmesh::{AttemptEnd, Entry, Error, FillOutcome, FlatReason, GapKind, LoopKind, LooseReason, OpenReason, Outcome};
+use fairmesh::{AttemptEnd, Entry, Error, FillOutcome, FlatReason, GapKind, LoopKind, LooseReason, OpenReason, Outcome, SharpFate};
 
 /// The enumerations that `fairmesh_describe` knows. Numbers are never reused.
 #[repr(u32)]
@@ -24,6 +24,8 @@ pub enum fairmesh_answer {
     LoopKind = 6,
     /// A `fairmesh_gap_kind`.
     GapKind = 7,
+    /// A `fairmesh_sharp_fate`.
+    SharpFate = 8,
 }
 
 /// By the numbers of a `fairmesh_answer`.
@@ -36,4 +38,5 @@ pub(crate) const ANSWERS: &[&[&[Entry]]] = &[
     &[&[NONE], OpenReason::TABLE, FlatReason::TABLE],
     &[LoopKind::TABLE],
     &[GapKind::TABLE],
+    &[SharpFate::TABLE],
 ];

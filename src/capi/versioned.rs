@@ -26,6 +26,8 @@ versioned! {
     fairmesh_component 160,
     fairmesh_attempt 80,
     fairmesh_continuity 80,
+    fairmesh_sharp_edge 32,
+    fairmesh_crease_end 104,
     fairmesh_fill_options 64 + 9 * WORD,
     fairmesh_remesh_options 24,
     fairmesh_bridge_options 16,

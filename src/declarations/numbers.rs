@@ -13,7 +13,7 @@ const TEXTS: &str = "\
 //! What the enumerations of the C interface mean. Made of the library's tables by src/declarations: do not edit.
 
 use super::statuses::{NONE, STATUSES};
-use fairmesh::{AttemptEnd, Entry, Error, FillOutcome, FlatReason, GapKind, LoopKind, LooseReason, OpenReason, Outcome};
+use fairmesh::{AttemptEnd, Entry, Error, FillOutcome, FlatReason, GapKind, LoopKind, LooseReason, OpenReason, Outcome, SharpFate};
 
 /// The enumerations that `fairmesh_describe` knows. Numbers are never reused.
 #[repr(u32)]

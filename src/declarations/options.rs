@@ -92,6 +92,11 @@ pub fn all() -> [OptionStruct; 4] {
 /// The text of `src/capi/option_structs.rs`.
 pub fn structs() -> String {
     let mut made = HEAD.to_owned();
+    let _ = write!(
+        made,
+        "\n/// The value of the option `sharp` at which only edges that are certain go on, in degrees.\npub const FAIRMESH_SHARP_AUTO: f64 = {:?};\n",
+        Options::SHARP_AUTO
+    );
     all().iter().for_each(|of| declaration(&mut made, of));
     made
 }

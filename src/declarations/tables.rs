@@ -3,7 +3,7 @@
 use fairmesh::{
     AttemptEnd, BoundaryNormals, Cap, Coincident, Discretization, Entry, Error, FillOutcome, FlatReason,
     GapKind, InnerFairness, InteriorNormals, Intersections, Join, LoopKind, LooseReason, OnFailure,
-    OpenReason, Outcome, OutputPrecision, Place, Target,
+    OpenReason, Outcome, OutputPrecision, Place, SharpFate, Target,
 };
 
 #[path = "../capi/statuses.rs"]
@@ -83,6 +83,8 @@ pub fn all() -> Vec<Table> {
         fairmesh_join_kind: Join::TABLE;
         /// What lies between loops that are joined.
         fairmesh_gap_kind with texts: GapKind::TABLE;
+        /// What became of ends of sharp edges that belong together.
+        fairmesh_sharp_fate with texts: SharpFate::TABLE;
         /// What a loop gets whose patch is no success: not fair, creased, intersecting, or with any other reservation.
         fairmesh_on_failure: OnFailure::TABLE;
         /// What closes a loop that lies in a plane.

@@ -832,6 +832,8 @@ static void check_result(fairmesh_result *r, int32_t wanted, const char *what) {
     SIZED(fairmesh_component, component);
     SIZED(fairmesh_attempt, attempt);
     SIZED(fairmesh_continuity, continuity);
+    SIZED(fairmesh_sharp_edge, edge);
+    SIZED(fairmesh_crease_end, end);
     SIZED(fairmesh_loop, boundary);
     SIZED(fairmesh_fill_report, filled);
     SIZED(fairmesh_join_suggestion, suggestion);
@@ -845,6 +847,8 @@ static void check_result(fairmesh_result *r, int32_t wanted, const char *what) {
     expect_handle(fairmesh_result_component(r, 0, 0, &component, &e), &e, wanted, what);
     expect_handle(fairmesh_result_attempt(r, 0, 0, 0, &attempt, &e), &e, wanted, what);
     expect_handle(fairmesh_result_continuity(r, 0, 0, 0, &continuity, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_sharp_edge(r, 0, 0, &edge, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_crease_end(r, 0, 0, 0, &end, &e), &e, wanted, what);
     expect_handle(fairmesh_result_loop(r, 0, &boundary, &e), &e, wanted, what);
     expect_handle(fairmesh_result_fill_report(r, 0, &filled, &e), &e, wanted, what);
     expect_handle(fairmesh_result_suggestion(r, 0, &suggestion, &e), &e, wanted, what);
@@ -907,7 +911,7 @@ static void not_available(void) {
     cases += 4;
     for (which = 0; which < 100; which++) {
         int32_t status = fairmesh_result_list(result, which, 0, NULL, 0, &size, &error);
-        int known = (which <= 6 && which != 4) || which == 16 || (which >= 48 && which <= 50) || (which >= 64 && which <= 66) ||
+        int known = (which <= 7 && which != 4) || which == 16 || (which >= 48 && which <= 50) || (which >= 64 && which <= 66) ||
                     which == 80 || which == 96;
         int mine = which == 32 || which == 33;
         cases++;

@@ -1575,6 +1575,54 @@ static void continuity(void) {
     cap_free(&at.cap);
 }
 
+/* Where the ridge of the roof arrives at the flattened part. */
+static void ends_of_the_ridge(const fairmesh_result *result, size_t side) {
+    uint64_t k;
+    SIZED(fairmesh_crease_end, end);
+    for (k = 0; k < 2; k++) {
+        double dot;
+        OK(fairmesh_result_crease_end(result, 0, 0, k, &end, &error));
+        dot = end.normal_left[0] * end.normal_right[0] + end.normal_left[1] * end.normal_right[1] + end.normal_left[2] * end.normal_right[2];
+        CHECK(end.vertex / side == side / 2 && end.reserved == 0);
+        CHECK(fabs(end.angle - 90) < 1e-6 && end.error < 1 && fabs(dot) < 1e-6);
+        CHECK(fabs(fabs(end.direction[0]) - 1) < 1e-6);
+    }
+    CHECK(fairmesh_result_crease_end(result, 0, 0, 2, &end, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(fairmesh_result_crease_end(result, 0, 1, 0, &end, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+}
+
+/* The ridge of a roof goes on through the flattened part, if that is asked for. */
+static void sharp_edges(void) {
+    Cap roof = cap_new(15);
+    uint32_t along[15];
+    size_t size, k;
+    fairmesh_result *result;
+    fairmesh_options options = quick();
+    double *fair = (double *)must(malloc(24 * roof.vertices));
+    fairmesh_points_out into = points_out_of(fair, roof.vertices);
+    SIZED(fairmesh_report, report);
+    SIZED(fairmesh_sharp_edge, edge);
+    cap_as_roof(&roof);
+    options.sharp = 120;
+    OK(fairmesh_fair(&roof.mesh, &roof.selection, &options, &into, &report, NULL, &error));
+    CHECK(report.sharp_edge_count == 0);
+    options.sharp = FAIRMESH_SHARP_AUTO;
+    OK(fairmesh_fair(&roof.mesh, &roof.selection, &options, &into, &report, &result, &error));
+    CHECK(report.sharp_edge_count == 1);
+    OK(fairmesh_result_sharp_edge(result, 0, 0, &edge, &error));
+    CHECK(edge.fate == FAIRMESH_SHARP_FATE_GOES_ON && edge.end_count == 2 && edge.first_vertex == 0);
+    CHECK(strcmp(fairmesh_describe(FAIRMESH_ANSWER_SHARP_FATE, (int32_t)edge.fate, FAIRMESH_TEXT_NAME), "goes_on") == 0);
+    ends_of_the_ridge(result, roof.side);
+    OK(fairmesh_result_list(result, FAIRMESH_LIST_SHARP_VERTICES, 0, along, 15, &size, &error));
+    CHECK(size == edge.vertex_count && size > 2);
+    for (k = 0; k < size; k++) CHECK(fabs(fair[3 * along[k] + 1]) < 1e-9 && fabs(fair[3 * along[k] + 2]) < 1e-9);
+    CHECK(fairmesh_result_sharp_edge(result, 0, 1, &edge, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(fairmesh_result_sharp_edge(result, 1, 0, &edge, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    OK(fairmesh_result_free(result));
+    free(fair);
+    cap_free(&roof);
+}
+
 static void count_lines(const char *message, void *lines) {
     CHECK(message[0] != 0);
     ++*(int *)lines;
@@ -1719,6 +1767,7 @@ int main(void) {
     in_steps();
     live();
     continuity();
+    sharp_edges();
     holes();
     remeshing();
     joins();

@@ -178,6 +178,17 @@ static void cap_free(Cap *cap) {
     free(cap->free_mask);
 }
 
+/* A roof of the same vertices and triangles instead, whose ridge is flattened where they are free. */
+COMMON_MAY_STAY_UNUSED static void cap_as_roof(Cap *cap) {
+    size_t v;
+    for (v = 0; v < cap->vertices; v++) {
+        double middle = (double)(cap->side - 1) / 2, *p = cap->positions + 3 * v;
+        p[0] = (double)(v % cap->side) - middle;
+        p[1] = (double)(v / cap->side) - middle;
+        p[2] = cap->free_mask[v] ? -middle / 2 : -fabs(p[1]);
+    }
+}
+
 /* The largest distance from the unit sphere. */
 COMMON_MAY_STAY_UNUSED static double off_sphere(const double *positions, size_t vertices) {
     double worst = 0.0;

@@ -17,8 +17,9 @@ struct scene {
     std::vector<std::uint8_t> mask;
 };
 
-scene cap(std::size_t side) {
+scene cap(std::size_t side, bool as_roof = false) {
     Cap c = cap_new(side);
+    if (as_roof) cap_as_roof(&c);
     scene s;
     for (std::size_t v = 0; v < c.vertices; v++) {
         s.positions.push_back({c.positions[3 * v], c.positions[3 * v + 1], c.positions[3 * v + 2]});
@@ -199,6 +200,18 @@ void continuing_curvature() {
     options.continuity = 0.0;
     options.loop_continuity = of_loops;
     CHECK(fairmesh::fair(mesh, fairmesh::free_mask(s.mask), options).continuity(0, 0).reached <= 0.25);
+}
+
+void continuing_edges() {
+    auto s = cap(15, true);
+    fairmesh::options options;
+    options.sharp = FAIRMESH_SHARP_AUTO;
+    auto found = fairmesh::fair(fairmesh::mesh(s.positions, s.triangles), fairmesh::free_mask(s.mask), options);
+    CHECK(found.report().sharp_edge_count == 1);
+    auto edge = found.sharp_edge(0);
+    CHECK(edge.fate == FAIRMESH_SHARP_FATE_GOES_ON && edge.end_count == 2);
+    CHECK(edge.vertex_count == found.list(FAIRMESH_LIST_SHARP_VERTICES).size());
+    CHECK(std::abs(found.crease_end(0, 1).angle - 90) < 1e-6);
 }
 
 void stepping() {
@@ -398,6 +411,7 @@ int main() {
     fairing();
     errors();
     exceptions();
+    continuing_edges();
     stepping();
     live();
     continuing_curvature();
