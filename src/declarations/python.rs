@@ -47,7 +47,7 @@ from ._named import Named, Numbered
 /// The text of `_abi.py`.
 pub fn declarations(items: &[Item]) -> String {
     let mut made = ABI_HEAD.to_owned();
-    versions(&mut made, items);
+    constants(&mut made, items, [""; 2]);
     items.iter().for_each(|item| enumeration(&mut made, item));
     let mut known = BTreeSet::new();
     items
@@ -156,18 +156,23 @@ pub(crate) fn number(expression: &Expr) -> String {
     match expression {
         Expr::Lit(literal) => match &literal.lit {
             Lit::Int(number) => number.base10_digits().to_owned(),
-            _ => panic!("an integer is needed"),
+            Lit::Float(number) => number.base10_digits().to_owned(),
+            _ => panic!("a number is needed"),
         },
         _ => panic!("a literal is needed"),
     }
 }
 
-fn versions(made: &mut String, items: &[Item]) {
+/// The numbers that have names: the version, and values of options.
+pub(crate) fn constants(made: &mut String, items: &[Item], [before, after]: [&str; 2]) {
     for item in items {
-        if let Item::Const(item) = item
-            && let Some(part) = item.ident.to_string().strip_prefix("FAIRMESH_VERSION_")
-        {
-            let _ = writeln!(made, "VERSION_{part} = {}", number(&item.expr));
+        let Item::Const(item) = item else { continue };
+        let name = item.ident.to_string();
+        match name.strip_prefix("FAIRMESH_") {
+            Some(name) if name != "NO_ELEMENT" => {
+                let _ = writeln!(made, "{before}{name} = {}{after}", number(&item.expr));
+            }
+            _ => {}
         }
     }
 }

@@ -19,17 +19,18 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Literal, TypedDict
 
 if TYPE_CHECKING:
-    from ._forms import ArrayLike, Curvature, HowFar, LoopContinuity, Normals, Target
+    from ._forms import ArrayLike, Curvature, HowFar, LoopContinuity, Normals, Sharp, Target
 "#;
 
-/// The list of options that Python takes in another form than C: what is to be said of the form, the name, the type, the default.
+/// The list of options that Python takes in another form than C: what is to be said of the form, the name, the type, the default (empty: the
+/// library's).
 macro_rules! forms {
     ($(#[doc = $said:literal] $name:ident: $of:literal = $default:literal;)*) => {
         [$([stringify!($name), $of, $default, $said.trim_ascii()]),*]
     };
 }
 
-const FORMS: [[&str; 4]; 6] = forms! {
+const FORMS: [[&str; 4]; 7] = forms! {
     /// "fitted"; "averaged" over the faces outside; unit vectors (n, 3), zeros or NaN where none is given; or a pair (indices (k,), vectors (k, 3)). They point to the side that faces are counter-clockwise seen from. Where none is given they are fitted. Length 1 to 0.001.
     boundary_normals: "Normals" = "\"fitted\"";
     /// "g1" is 0, "g2" is 1.
@@ -40,6 +41,8 @@ const FORMS: [[&str; 4]; 6] = forms! {
     boundary_curvature: "Curvature" = "\"estimated\"";
     /// "harmonic", zero; a number in 1 / length^3, a positive one pushes the surface out along its normals; or "minimal_energy", -2 H (H^2 - K).
     target: "Target" = "\"harmonic\"";
+    /// "auto" is the angle from which on edges are certain, "off" is 0.
+    sharp: "Sharp" = "";
     /// None: that of the array of vertices.
     output_precision: "Literal[\"double\", \"single\"]" = "None";
 };
@@ -153,7 +156,7 @@ fn field(entry: &OptionEntry) -> Field {
         OptionDefault::Nothing => "None".to_owned(),
     };
     let (name, kind) = (entry.name, entry.kind);
-    let Some([_, of, default, said]) = FORMS.iter().find(|form| form[0] == name) else {
+    let Some([_, of, formed, said]) = FORMS.iter().find(|form| form[0] == name) else {
         return Field {
             name,
             kind,
@@ -167,7 +170,11 @@ fn field(entry: &OptionEntry) -> Field {
         name,
         kind,
         of: (*of).to_owned(),
-        default: (*default).to_owned(),
+        default: if formed.is_empty() {
+            default
+        } else {
+            (*formed).to_owned()
+        },
         text: format!("{text} {said}"),
         how: how.replace("real", "form"),
     }

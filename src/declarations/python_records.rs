@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use syn::Item;
 
-use crate::python::class_of;
+use crate::python::{class_of, constant};
 use crate::python_options::names;
 use crate::records::{self, Field};
 
@@ -13,11 +13,11 @@ const HEAD: &str = r#""""What is told of results. Made of src/capi by src/declar
 # ruff: noqa: D, E501
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from . import _abi
-from ._enums import AttemptEnd, LoopKind, LooseReason, Outcome
+from ._enums import AttemptEnd, LoopKind, LooseReason, Outcome, SharpFate
 
 if TYPE_CHECKING:
     import numpy as np
@@ -31,11 +31,18 @@ def element_or_none(number: int) -> int | None:
 
 /// A class: its name, its struct, what is said about it if the struct says something else, and its fields: all but those with a minus,
 /// or those that are named, with their names in Python if these are others.
-const CLASSES: [[&str; 4]; 8] = [
-    ["Report", "report", "", "-component_count"],
+const CLASSES: [[&str; 4]; 10] = [
+    ["Report", "report", "", "-component_count -sharp_edge_count"],
     ["Component", "component", "", "-attempt_count -continuity_count"],
     ["Attempt", "attempt", "", ""],
     ["Continuity", "continuity", "", ""],
+    [
+        "SharpEdge",
+        "sharp_edge",
+        "",
+        "-end_count -vertex_count -first_vertex",
+    ],
+    ["CreaseEnd", "crease_end", "", ""],
     [
         "Loop",
         "loop",
@@ -62,9 +69,11 @@ const CLASSES: [[&str; 4]; 8] = [
     ],
 ];
 
-/// What three classes have besides.
+/// What some classes have besides.
 const REPORT: &str = r#"    components: tuple[Component, ...]
     """The components of the region, by their smallest free vertices; at least one."""
+    sharp_edges: tuple[SharpEdge, ...]
+    """What became of the sharp edges that reach the boundary, where the option ``sharp`` asks for them."""
 
     def __repr__(self) -> str:
         # All of the fields are more than anyone reads.
@@ -89,6 +98,11 @@ const COMPONENT: &str = r#"    attempts: tuple[Attempt, ...]
     continuity: tuple[Continuity, ...]
     """What came of the option ``continuity`` along each boundary loop; empty where it is 0, no loop has surroundings and vertices enough, or no surface was found to begin with."""
 "#;
+const SHARP_EDGE: &str = r#"    ends: tuple[CreaseEnd, ...]
+    """Where it arrives at the boundary: one, two or three."""
+    vertices: NDArray[np.intp] = field(compare=False)
+    """The vertices along it, from end to end, or from each end to the corner one after the other; empty where it does not go on. Those that were free have been placed on it."""
+"#;
 const LOOP: &str = r#"    vertices: NDArray[np.intp]
     """The vertices in the direction of triangles that fill it."""
     touching: NDArray[np.intp]
@@ -110,6 +124,7 @@ pub fn records(items: &[Item]) -> String {
         let (besides, arguments) = match class {
             "Report" => (REPORT, ", repr=False"),
             "Component" => (COMPONENT, ""),
+            "SharpEdge" => (SHARP_EDGE, ""),
             "Loop" => (LOOP, ""),
             _ => ("", ""),
         };
@@ -122,7 +137,7 @@ pub fn records(items: &[Item]) -> String {
             }
             let _ = writeln!(values, "        {name}={},", value(field));
         }
-        let function = class.to_lowercase();
+        let function = constant(class).to_lowercase();
         let _ = write!(
             made,
             "\n\n@dataclass(frozen=True{arguments})\nclass {class}:\n    \"\"\"{doc}\"\"\"\n\n{attributes}{besides}\n\ndef {function}_of(struct: Any, **more: Any) -> {class}:\n    \"\"\"What a struct tells, with what it does not.\"\"\"\n    return {class}(\n{values}        **more,\n    )\n"
@@ -176,7 +191,7 @@ fn annotation(field: &Field) -> String {
     match (field.kind.as_str(), field.count) {
         ("u32" | "u64", _) => "int",
         ("f64", 1) => "float",
-        ("f64", _) => "tuple[float, float]",
+        ("f64", count) => return format!("tuple[{}]", vec!["float"; count].join(", ")),
         ("flag", _) => "bool",
         ("or_none", _) => "int | None",
         ("chars" | "fairmesh_gap_kind", _) => "str",
@@ -192,7 +207,7 @@ fn value(field: &Field) -> String {
         "int" | "float" => value,
         "bool" => format!("bool({value})"),
         "int | None" => format!("element_or_none({value})"),
-        "tuple[float, float]" => format!("tuple({value})"),
+        of if of.starts_with("tuple[") => format!("tuple({value})"),
         "str" if field.kind == "chars" => format!("{value}.decode()"),
         "str" => format!("_abi.{}({value}).name.lower()", field.kind),
         class => format!("{class}.of({value})"),

@@ -9,7 +9,7 @@ use syn::{FnArg, Item, Type};
 use fairmesh::OptionKind;
 
 use crate::options;
-use crate::python::{constant, is_c_name, is_opaque, last_name, number};
+use crate::python::{constant, constants, is_c_name, is_opaque, last_name, number};
 use crate::records::{self, Field, Record, doc};
 
 const HEAD: &str = "/**
@@ -20,11 +20,13 @@ const HEAD: &str = "/**
 ";
 
 /// Structs that programs read, and so have types for.
-const READ: [&str; 13] = [
+const READ: [&str; 15] = [
     "report",
     "component",
     "attempt",
     "continuity",
+    "sharpEdge",
+    "creaseEnd",
     "info",
     "loop",
     "joinSuggestion",
@@ -42,7 +44,7 @@ const SET: [&str; 4] = ["options", "fillOptions", "bridgeOptions", "remeshOption
 /// The text of `abi.ts`.
 pub fn declarations(items: &[Item]) -> String {
     let mut made = HEAD.to_owned();
-    versions(&mut made, items);
+    constants(&mut made, items, ["export const ", ";"]);
     enumerations(&mut made, items);
     structures(&mut made, items);
     rows(&mut made);
@@ -85,16 +87,6 @@ fn rows(made: &mut String) {
             );
         }
         made.push_str("}\n");
-    }
-}
-
-fn versions(made: &mut String, items: &[Item]) {
-    for item in items {
-        if let Item::Const(item) = item
-            && let Some(part) = item.ident.to_string().strip_prefix("FAIRMESH_VERSION_")
-        {
-            let _ = writeln!(made, "export const VERSION_{part} = {};", number(&item.expr));
-        }
     }
 }
 

@@ -46,6 +46,29 @@ def dented_sphere(side=21, frame=5, seed=1):
     return Region(vertices, grid(side, side), free, exact)
 
 
+def flattened_roof(side=15, frame=4):
+    """Two planes that meet at right angles in a ridge along the x axis; in the middle they are flattened, and free."""
+    line = np.arange(side) - side // 2.0
+    x, y = np.meshgrid(line, line, indexing="ij")
+    exact = np.stack([x, y, -np.abs(y)], axis=-1).reshape(-1, 3)
+    free = np.zeros((side, side), bool)
+    free[frame:-frame, frame:-frame] = True
+    free = free.ravel()
+    vertices = exact.copy()
+    vertices[free, 2] = -3.0
+    return Region(vertices, grid(side, side), free, exact)
+
+
+def fading_ridge(side=15, frame=4):
+    """A ridge along the x axis, of 53 degrees on one side of the free part; on the other side the surface is flat."""
+    vertices, faces, free, _ = flattened_roof(side, frame)
+    x, y = vertices[:, 0], vertices[:, 1]
+    far = np.clip((x + 3) / 6, 0, 1)
+    height = 1 - far * far * (3 - 2 * far)
+    vertices = np.stack([x, y, -np.abs(y) * height / 2], axis=-1)
+    return Region(vertices, faces, free, vertices)
+
+
 def dented_cylinder(side=31, frame=5, seed=1):
     """A quarter and more of a cylinder of radius 1/2 around the y axis, normals outward."""
     x, y = jittered(side, seed)

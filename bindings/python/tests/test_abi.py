@@ -76,6 +76,7 @@ TOLD = (
     (fairmesh.FillOutcome, "fill_outcome"),
     (fairmesh.FillReason, "fill_reason"),
     (fairmesh.LoopKind, "loop_kind"),
+    (fairmesh.SharpFate, "sharp_fate"),
     (fairmesh.Status, "status"),
 )
 

@@ -9,7 +9,9 @@ from meshes import (
     dented_cylinder,
     dented_sphere,
     disc,
+    fading_ridge,
     flared_tube,
+    flattened_roof,
     off_sphere,
     smallest_angle,
     sphere,
@@ -134,6 +136,39 @@ def test_continuity_and_targets_in_any_way():
     with fairmesh.Solver(ELLIPSOID, FACES, free=FREE, continuity=1.0) as solver:
         assert solver.run().components[0].continuity == whole.report.components[0].continuity
         assert np.array_equal(solver.vertices, whole.vertices)
+
+
+def test_sharp_edges_go_on_where_that_is_asked_for():
+    vertices, faces, free, exact = flattened_roof()
+    auto, off = (fairmesh.fair(vertices, faces, free=free, sharp=sharp) for sharp in ("auto", "off"))
+    assert np.abs(auto.vertices - exact).max() < 1e-9 < 0.1 < np.abs(off.vertices - exact).max()
+    assert off.report.sharp_edges == ()
+    for sharp, same in ((20, auto), (20.0, auto), (120, off), (0, off)):
+        assert np.array_equal(fairmesh.fair(vertices, faces, free=free, sharp=sharp).vertices, same.vertices)
+    (edge,) = auto.report.sharp_edges
+    assert edge.fate is fairmesh.SharpFate.GOES_ON and edge.fate == "goes_on"
+    assert np.abs(auto.vertices[edge.vertices][:, 1:]).max() < 1e-9 and len(edge.vertices) > 2
+    for end in edge.ends:
+        assert abs(end.angle - 90) < 1e-6 and end.error < 1 and end.vertex in edge.vertices
+        assert np.abs(np.abs(end.direction) - [1, 0, 0]).max() < 1e-6
+        assert abs(np.dot(end.normal_left, end.normal_right)) < 1e-6
+
+
+def test_a_sharp_edge_that_ends_is_told():
+    vertices, faces, free, _ = fading_ridge()
+    report = fairmesh.fair(vertices, faces, free=free, sharp="auto").report
+    (edge,) = report.sharp_edges
+    assert edge.fate == "alone" and edge.fate.remedy and len(edge.ends) == 1 and len(edge.vertices) == 0
+    assert abs(edge.ends[0].angle - 53.13) < 0.01 and report.loose_reason == "sharp_edge"
+
+
+def test_sharp_edges_of_a_patch_are_told():
+    vertices, faces, free, _ = flattened_roof()
+    faces = faces[~free[faces].any(axis=1)]
+    hole = next(k for k, loop in enumerate(fairmesh.boundary_loops(vertices, faces)) if loop.kind == "hole")
+    (loop,) = fairmesh.fill_holes(vertices, faces, loops=[hole], sharp="auto").loops
+    (edge,) = loop.report.sharp_edges
+    assert edge.fate == "goes_on" and len(edge.ends) == 2 and len(edge.vertices) > 2
 
 
 def test_curvature_in_any_way():

@@ -6,7 +6,7 @@ from . import _abi
 from ._bridge import Bridged, bridge
 from ._curvature import mean_curvature
 from ._edits import Bulge, Frame, Move, Tilt, Twist
-from ._enums import AttemptEnd, FillOutcome, FillReason, LoopKind, LooseReason, Outcome, Status
+from ._enums import AttemptEnd, FillOutcome, FillReason, LoopKind, LooseReason, Outcome, SharpFate, Status
 from ._erase import Carried, Erased, Trimmed, carry_over, erase, trim_boundary
 from ._errors import ElementKind, FairmeshError, InputError, OutOfMemoryError
 from ._fairing import Result, Solver, fair
@@ -17,7 +17,7 @@ from ._keywords import LoopChoice
 from ._library import LibraryError, load, version
 from ._options import default_fill_options, default_options, default_remesh_options
 from ._progress import Monitor, Progress
-from ._records import Attempt, Bends, Component, Continuity, Loop, Moved, Report, Roughness
+from ._records import Attempt, Bends, Component, Continuity, CreaseEnd, Loop, Moved, Report, Roughness, SharpEdge
 from ._region import (
     grow,
     select_ball,
@@ -42,6 +42,7 @@ __all__ = [
     "Carried",
     "Component",
     "Continuity",
+    "CreaseEnd",
     "ElementKind",
     "Erased",
     "FairingOptions",
@@ -69,6 +70,8 @@ __all__ = [
     "Result",
     "Roughness",
     "SeamWarning",
+    "SharpEdge",
+    "SharpFate",
     "Solver",
     "Status",
     "Tilt",

@@ -30,5 +30,7 @@ HowFar = Union[Literal["g1", "g2"], float]
 Curvature = Union[Literal["estimated"], abc.Mapping[int, float], ArrayLike, tuple[ArrayLike, ArrayLike]]
 #: {index of a vertex of the loop: "g1", "g2" or a number}.
 LoopContinuity = abc.Mapping[int, HowFar]
+#: "auto", "off", or an angle in degrees.
+Sharp = Union[Literal["auto", "off"], float]
 #: "harmonic", "minimal_energy", or a constant in 1 / length^3.
 Target = Union[Literal["harmonic", "minimal_energy"], float]

@@ -39,7 +39,11 @@ class ResultHandle:
         """The report of the fairing (of the loop with this index)."""
         made = sized(_abi.fairmesh_report)
         self.read("fairmesh_result_report", index, made)
-        return whole_report(made, lambda what, *numbers: self.read(f"fairmesh_result_{what}", index, *numbers))
+        return whole_report(
+            made,
+            lambda what, *numbers: self.read(f"fairmesh_result_{what}", index, *numbers),
+            lambda: self.list(_abi.fairmesh_list.SHARP_VERTICES, index),
+        )
 
     def positions(self, count: int, dtype: np.dtype[Any]) -> NDArray[Any]:
         """All vertices, (count, 3)."""

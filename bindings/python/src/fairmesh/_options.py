@@ -21,7 +21,7 @@ from ._schema import KINDS, FairingOptions
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping
 
-    from ._forms import Curvature, HowFar, LoopContinuity, Normals, Target
+    from ._forms import Curvature, HowFar, LoopContinuity, Normals, Sharp, Target
 
 Struct = TypeVar("Struct", bound=ctypes.Structure)
 
@@ -105,6 +105,8 @@ def fairing_options(vertices: NDArray[Any], given: Mapping[str, Any]) -> _abi.fa
     set_options(struct, given)
     if given.get("continuity") is not None:
         struct.continuity = how_far(given["continuity"], "continuity")
+    if given.get("sharp") is not None:
+        struct.sharp = sharp_angle(given["sharp"])
     if given.get("target") is not None:
         struct.target = target_struct(given["target"])
     for name, view_of in VIEWS.items():
@@ -123,12 +125,20 @@ def _number(value: Any, name: str, of: Any) -> int:
 
 def how_far(value: HowFar, name: str) -> float:
     """From 0 to 1, if the library agrees."""
-    names = {"g1": 0.0, "g2": 1.0}
+    return _real_or_word(value, name, {"g1": 0.0, "g2": 1.0})
+
+
+def sharp_angle(value: Sharp) -> float:
+    """The angle from which on sharp edges go on, in degrees, if the library agrees."""
+    return _real_or_word(value, "sharp", {"auto": _abi.SHARP_AUTO, "off": 0.0})
+
+
+def _real_or_word(value: Any, name: str, words: Mapping[str, float]) -> float:
     if not isinstance(value, str):
         return real(value, name)
-    if value not in names:
-        raise ValueError(f"{name}: {value!r} is neither 'g1' nor 'g2' nor a number")
-    return names[value]
+    if value not in words:
+        raise ValueError(f"{name}: {value!r} is neither {' nor '.join(map(repr, words))} nor a number")
+    return words[value]
 
 
 def target_struct(value: Target) -> _abi.fairmesh_target:
