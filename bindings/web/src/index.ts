@@ -21,10 +21,10 @@ export { type ErrorDetails, FairmeshError, InputError, OutOfMemoryError, TrapErr
 export { type FairOptions, type FairResult, Solver } from "./fairing.js";
 export type { BridgeOptions, BridgeResult, FillOptions, FillResult, JoinSuggestion, Loop, LoopChoice, NewMesh, PatchOptions, Point } from "./holes.js";
 export type { Budget, Bulge, Edit, Frame, Move, Tilt } from "./edits.js";
-export type { ByVertex, FairingOptions, HowFar } from "./options.js";
+export type { ByVertex, FairingOptions, HowFar, Sharp } from "./options.js";
 export type { ProgressCallback, Watching } from "./progress.js";
 export type { RegionResult, RegionStep, Seed } from "./region.js";
-export type { Component, LoopReport, Report, Telling, Told } from "./reports.js";
+export type { Component, LoopReport, Report, SharpEdge, Telling, Told } from "./reports.js";
 export { createWorker, FairmeshWorker, type Handed, type WebWorker, type WorkerOptions } from "./client.js";
 export { type Look, type ShownFrame, type Watched, WorkerSolver } from "./worker_solver.js";
 

@@ -1,17 +1,19 @@
 /** Options given to the library's structs. Defaults are the library's: what is undefined is not touched. */
 
-import { enums, type PlainOptions, structs } from "./abi.js";
+import { enums, type PlainOptions, SHARP_AUTO, structs } from "./abi.js";
 import { type Indices, indices, indicesIn, type Points, numbers, numbersIn, points, shown } from "./arrays.js";
 import { type EnumName, kindOf, type Library, numberOf, placeOf, plainFields, read, type Scope, type StructName, type Values, write } from "./library.js";
 import type { Watching } from "./progress.js";
 
 /** "g1" or 0: tangent planes alone; "g2" or 1: curvature, too; or a number between. */
 export type HowFar = "g1" | "g2" | number;
+/** "auto", "off", or an angle in degrees. */
+export type Sharp = "auto" | "off" | number;
 /** A map or list of pairs of a vertex and what belongs to it. */
 export type ByVertex<T> = ReadonlyMap<number, T> | readonly (readonly [number, T])[];
 
 /** How fairing is done: what `fair`, `fillHoles`, `bridge`, `refill` and `Solver` have in common. */
-export interface FairingOptions extends Omit<PlainOptions, "threads" | "continuity">, Watching {
+export interface FairingOptions extends Omit<PlainOptions, "threads" | "continuity" | "sharp">, Watching {
     /** There is one thread; the option is taken, so that programs can be the same. */
     threads?: number | undefined;
     /**
@@ -24,6 +26,8 @@ export interface FairingOptions extends Omit<PlainOptions, "threads" | "continui
     continuity?: HowFar | undefined;
     /** The same for single boundary loops, each named by a vertex on it, in place of `continuity` there. */
     loopContinuity?: ByVertex<HowFar> | undefined;
+    /** Sharp edges that reach the boundary of the region go on through it: "auto", those that are certain; "off", none; or those of so many degrees. */
+    sharp?: Sharp | undefined;
     /** The mean curvature to be continued, in 1 / length: "estimated" (default), one number for each vertex, NaN where none is given, or some. */
     boundaryCurvature?: "estimated" | Float32Array | Float64Array | readonly number[] | { vertices: Indices; values: Indices | Float64Array } | undefined;
     /** The Laplacian of the mean curvature: "harmonic" (default), zero; a number in 1 / length^3; or "minimal_energy", -2 H (H^2 - K). */
@@ -119,7 +123,7 @@ export function withDefaults(scope: Scope, struct: StructName, init: string, giv
 }
 
 /** Plain in the library, but not here. */
-const OTHERWISE = ["continuity"];
+const OTHERWISE = ["continuity", "sharp"];
 
 export const WATCHING = ["progress", "cancel"];
 /** The names of the fairing options. */
@@ -136,6 +140,7 @@ export function fairingIn(scope: Scope, given: FairingOptions, isSingle: boolean
     set(told);
     if (isSingle && given.outputPrecision === undefined) set({ outputPrecision: "single" });
     if (given.continuity !== undefined) set({ continuity: howFar(given.continuity, "continuity") });
+    if (given.sharp !== undefined) set({ sharp: sharpAngle(given.sharp) });
     if (given.target !== undefined) set({ target: targetIn(given.target) });
     if (given.boundaryNormals !== undefined) set({ boundaryNormals: normalsIn(scope, given.boundaryNormals, vertexCount) });
     if (given.boundaryCurvature !== undefined) set({ boundaryCurvature: curvatureIn(scope, given.boundaryCurvature, vertexCount) });
@@ -148,6 +153,14 @@ export function howFar(given: HowFar, name: string): number {
     if (given === "g1") return 0;
     if (given === "g2") return 1;
     if (typeof given !== "number") throw new TypeError(`${name}: ${shown(given)} is neither "g1" nor "g2" nor a number`);
+    return given;
+}
+
+/** The angle from which on sharp edges go on, in degrees, if the library agrees. */
+function sharpAngle(given: Sharp): number {
+    if (given === "auto") return SHARP_AUTO;
+    if (given === "off") return 0;
+    if (typeof given !== "number") throw new TypeError(`sharp: ${shown(given)} is neither "auto" nor "off" nor a number`);
     return given;
 }
 

@@ -15,6 +15,16 @@ export interface Report extends abi.Report {
     remedy: string;
     /** The components of the region, by their smallest free vertices; at least one. */
     components: Component[];
+    /** What became of the sharp edges that reach the boundary, where the option `sharp` asks for them. */
+    sharpEdges: SharpEdge[];
+}
+
+/** Ends of sharp edges that belong together, and what became of them. */
+export interface SharpEdge extends abi.SharpEdge {
+    /** Where it arrives at the boundary: one, two or three. */
+    ends: abi.CreaseEnd[];
+    /** The vertices along it, from end to end, or from each end to the corner one after the other; empty where it does not go on. */
+    vertices: Uint32Array;
 }
 
 /** What came of one component of the region: an independent problem. */
@@ -48,7 +58,7 @@ export interface Telling {
 }
 
 /** Enumerations whose values the library has texts for. */
-export type Told = "status" | "outcome" | "looseReason" | "attemptEnd" | "fillOutcome" | "fillReason";
+export type Told = "status" | "outcome" | "looseReason" | "attemptEnd" | "fillOutcome" | "fillReason" | "sharpFate";
 
 const ANSWERS = {
     status: "status",
@@ -57,6 +67,7 @@ const ANSWERS = {
     attemptEnd: "attempt_end",
     fillOutcome: "fill_outcome",
     fillReason: "fill_reason",
+    sharpFate: "sharp_fate",
 } as const;
 
 /** What a value means. */
@@ -98,10 +109,12 @@ export class ResultHandle {
     report(index = 0): Report {
         const figures = this.struct<abi.Report>("fairmesh_result_report", "report", index);
         const components = Array.from({ length: figures.componentCount }, (_, number) => this.#component(index, number));
+        const along = figures.sharpEdgeCount === 0 ? new Uint32Array(0) : this.list("sharp_vertices", index);
+        const sharpEdges = Array.from({ length: figures.sharpEdgeCount }, (_, number) => this.#sharpEdge(index, number, along));
         const { outcome, looseReason } = figures;
         const loosely = outcome === "converged_loosely";
         const told = loosely ? telling(this.library, "looseReason", looseReason) : telling(this.library, "outcome", outcome);
-        return { ...figures, isSuccess: outcome === "converged", ...told, components };
+        return { ...figures, isSuccess: outcome === "converged", ...told, components, sharpEdges };
     }
 
     #component(index: number, number: number): Component {
@@ -113,6 +126,13 @@ export class ResultHandle {
             attempts: Array.from({ length: own.attemptCount }, attempt),
             continuity: Array.from({ length: own.continuityCount }, loop),
         };
+    }
+
+    #sharpEdge(index: number, number: number, along: Uint32Array): SharpEdge {
+        const own = this.struct<abi.SharpEdge>("fairmesh_result_sharp_edge", "sharpEdge", index, number);
+        const end = (_: unknown, k: number) => this.struct<abi.CreaseEnd>("fairmesh_result_crease_end", "creaseEnd", index, number, k);
+        const vertices = along.slice(own.firstVertex, own.firstVertex + own.vertexCount);
+        return { ...own, ends: Array.from({ length: own.endCount }, end), vertices };
     }
 
     loopReport(index: number): LoopReport {

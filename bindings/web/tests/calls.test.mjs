@@ -84,6 +84,30 @@ test("normals and curvature in any way", () => {
     assert.deepEqual(by(curvature), by({ vertices: rim, values: new Float64Array(rim.length).fill(-1) }));
 });
 
+test("sharp edges go on where that is asked for", () => {
+    const roof = sheets([{ side: 15, frame: 4, shape: 1, reach: 7 }]);
+    const p = roof.positions;
+    for (let k = 0; k < p.length; k += 3) p[k + 2] = roof.free[k / 3] ? -3 : -Math.abs(p[k + 1]);
+    const worst = (q) => Math.max(...Array.from(roof.free.keys(), (v) => Math.abs(q[3 * v + 2] + Math.abs(q[3 * v + 1]))));
+    const auto = library.fair(roof, roof.free, { sharp: "auto" });
+    const off = library.fair(roof, roof.free, { sharp: "off" });
+    assert.ok(worst(auto.positions) < 1e-9 && worst(off.positions) > 0.1);
+    assert.deepEqual(off.report.sharpEdges, []);
+    assert.deepEqual(library.fair(roof, roof.free, { sharp: 20 }).positions, auto.positions);
+    assert.equal(auto.report.sharpEdges.length, 1);
+    const [edge] = auto.report.sharpEdges;
+    assert.equal(edge.fate, "goes_on");
+    assert.ok(library.describe("sharpFate", edge.fate).text.includes("goes on"));
+    assert.ok(edge.vertices.length > 2);
+    for (const v of edge.vertices) assert.ok(Math.abs(auto.positions[3 * v + 2]) < 1e-9);
+    for (const end of edge.ends) {
+        assert.ok(Math.abs(end.angle - 90) < 1e-6);
+        assert.ok(edge.vertices.includes(end.vertex));
+        assert.ok(Math.abs(Math.abs(end.direction[0]) - 1) < 1e-6);
+    }
+    assert.throws(() => library.fair(roof, roof.free, { sharp: "on" }), { message: 'sharp: "on" is neither "auto" nor "off" nor a number' });
+});
+
 test("in steps it finds the same", () => {
     const whole = library.fair(mesh, mesh.free);
     const solver = library.solver(mesh, mesh.free);
