@@ -74,6 +74,7 @@ export const TEXTS: Record<string, string> = {
     iteration_limit: "it was not done after the most steps; the best surface so far is shown",
     not_converged: "no sound surface was found; the one that bends least is shown",
     target_not_reachable: "no such surface was found; the one that bends least is shown",
+    sharp_edge: "a sharp edge ends at the edge of the region, and does not go on in it",
     nearest_member: "no such surface was found; a smooth one near to it is shown",
     free_vertex_on_boundary: "the region reaches the rim of the surface",
     nothing_fixed: "nothing would hold the region: all of a part is chosen",
