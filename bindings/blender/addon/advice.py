@@ -9,7 +9,7 @@ import re
 
 import bpy
 
-from .fairmesh import FillOutcome, FillReason, LooseReason, Outcome, Status
+from .fairmesh import FillOutcome, FillReason, LooseReason, Outcome, SharpFate, Status
 
 #: By enumeration, as some have members of the same name: what an answer means (None: the library says it well), what to do.
 _WORDS = {
@@ -112,7 +112,17 @@ _WORDS = {
         ),
         LooseReason.SHARP_EDGE: (
             "a sharp edge ends at the selection and does not go on in it",
-            "Select so much that the sharp edge ends outside, or leaves the selection again",
+            "Select so much that the sharp edge ends outside, or leaves the selection again; or set {sharp.OFF}",
+        ),
+    },
+    SharpFate: {
+        SharpFate.ALONE: (
+            "no other end fits it: inside, the surface is smooth",
+            "Select so much that it ends outside, or leaves the selection again",
+        ),
+        SharpFate.NO_PATH: (
+            "no path of edges can follow it: inside, the surface is smooth",
+            "Use {fairmesh_erase_and_fill}",
         ),
     },
     FillOutcome: {

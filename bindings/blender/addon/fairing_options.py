@@ -1,10 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Options of the fairing, as properties: the same in operators and in the sidebar."""
 
+import math
+
 from bpy.props import FloatProperty, IntProperty
 
 from . import advice
+from .fairmesh import default_options
+from .fairmesh._abi import SHARP_AUTO
 from .properties import choice, selection, switch
+
+#: The library's names for degrees, and what it does where nothing is asked.
+_SHARP = {"OFF": "off", "AUTO": "auto"}
+_DEGREES = default_options()["sharp"]
 
 
 class RegionOptions:
@@ -73,6 +81,22 @@ class FairingOptions:
         max=1.0,
         subtype="FACTOR",
     )
+    sharp: selection(
+        "Sharp Edges",
+        "What becomes of sharp edges around the selection that lead into it",
+        ("OFF", "Smooth", "They end at the selection: inside, the surface is smooth"),
+        ("AUTO", "Go On", "Those that are certain go on in it, if they fit each other: vertices are placed along them"),
+        ("ANGLE", "Go On by Angle", "The same, of those that bend by the angle or more"),
+        default={0.0: "OFF", SHARP_AUTO: "AUTO"}.get(_DEGREES, "ANGLE"),
+    )
+    sharp_angle: FloatProperty(
+        name="Sharp Angle",
+        description="Edges that bend by this much or more go on",
+        default=math.radians(_DEGREES or SHARP_AUTO),
+        min=math.radians(1.0),
+        max=math.pi,
+        subtype="ANGLE",
+    )
     target: selection(
         "Shape",
         "The kind of surface",
@@ -120,6 +144,9 @@ class FairingOptions:
         choice(layout, self, "inner_fairness", "Distribution")
         choice(layout, self, "boundary_normals", "Tangents")
         layout.prop(self, "continuity", slider=True)
+        choice(layout, self, "sharp", "Sharp Edges")
+        if self.sharp == "ANGLE":
+            layout.prop(self, "sharp_angle")
         choice(layout, self, "target", "Shape")
         if self.target == "CONSTANT":
             layout.prop(self, "constant")
@@ -137,6 +164,7 @@ class FairingOptions:
             "inner_fairness": self.inner_fairness.lower(),
             "boundary_normals": self.boundary_normals.lower(),
             "continuity": self.continuity,
+            "sharp": _SHARP.get(self.sharp, math.degrees(self.sharp_angle)),
             "target": target,
             "tolerance": 10.0**-self.digits,
             "max_iterations": self.max_iterations,

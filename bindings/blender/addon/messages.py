@@ -4,7 +4,7 @@
 from contextlib import contextmanager
 
 from . import advice, found
-from .fairmesh import ElementKind, FairmeshError, FillOutcome, FillReason, Outcome
+from .fairmesh import ElementKind, FairmeshError, FillOutcome, FillReason, LooseReason, Outcome, SharpFate
 
 # How much of it there is. `r` is the report.
 _FIGURES = {
@@ -69,7 +69,7 @@ def faired(report, continuity=0.0, is_patch=False):
     """How a fairing, or that of new faces, went; `continuity` of curvature was asked for: ("INFO" or "WARNING", text)."""
     count = _many(report.iterations, "iteration", "iterations")
     vertices = f"{_many(report.free_vertices, 'vertex', 'vertices')} faired in {count}"
-    short = _short_of_curvature([report], continuity)
+    short = _short_of_curvature([report], continuity) + ("" if is_patch else _sharp_edges([report]))
     if report.outcome is Outcome.CONVERGED:
         return "INFO", vertices + short
     figures = _FIGURES.get(report.outcome, "").format(r=report, reached=100 * report.reached)
@@ -92,6 +92,20 @@ def _short_of_curvature(reports, asked):
     least = min(short, key=lambda loop: loop.reached)
     where = f"the boundary of {least.vertex_count} vertices at vertex {least.vertex}"
     return f"; curvature is continued by {least.reached:.2f} in place of {asked:.2f} along {where}"
+
+
+def _sharp_edges(reports):
+    """How many sharp edges go on, and where one does not and why; empty where there are none."""
+    edges = [edge for report in reports for edge in report.sharp_edges]
+    ended = [edge for edge in edges if edge.fate not in {SharpFate.GOES_ON, SharpFate.CORNER}]
+    text = f"; {_many(len(edges) - len(ended), 'sharp edge goes', 'sharp edges go')} on" if len(ended) < len(edges) else ""
+    if ended:
+        end = ended[0].ends[0]
+        text += f"; {_many(len(ended), 'sharp edge ends', 'sharp edges end, one')}"
+        text += f" at vertex {end.vertex} ({end.angle:.0f} degrees)"
+        if all(report.loose_reason is not LooseReason.SHARP_EDGE for report in reports):
+            text += _sentences(f": {advice.meaning(ended[0].fate)}", advice.remedy(ended[0].fate))
+    return text
 
 
 def _components(report):
@@ -119,20 +133,22 @@ def filled(loops, places, continuity=0.0, size=1.0):
     coarse = sum(loop.coarsened for loop in closed)
     if coarse:
         text += f"; {coarse} coarser than asked, to keep the number of vertices"
-    text += _short_of_curvature([loop.report for loop in closed if loop.report is not None], continuity)
+    reports = [loop.report for loop in closed if loop.report is not None]
+    text += _short_of_curvature(reports, continuity) + _sharp_edges(reports)
     return ("WARNING" if rough or still or coarse else "INFO"), text
 
 
 def bridged(result, is_faired):
     """How a bridge went: ("INFO" or "WARNING", text)."""
     text = f"bridge of {result.new_face_count} faces"
+    loops = [result.strip, *result.rest]
+    reports = [result.whole] if result.whole is not None else [loop.report for loop in loops if loop.report is not None]
     if not is_faired or result.is_success:
-        return "INFO", text
+        return "INFO", text + _sharp_edges(reports)
     if result.whole is not None:
         return "WARNING", f"{text}; together, {faired(result.whole)[1]}"
-    loops = [result.strip, *result.rest]
     rough = [loop for loop in loops if loop.outcome is FillOutcome.LEFT_OPEN or not loop.is_success]
-    return "WARNING", text + (f", not fair: {reason(rough[0], {})}" if rough else "")
+    return "WARNING", text + (f", not fair: {reason(rough[0], {})}" if rough else "") + _sharp_edges(reports)
 
 
 def faces(count):

@@ -4,9 +4,9 @@
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
 
-def selection(name, description, *items):
+def selection(name, description, *items, default=None):
     """One of several (identifier, name, description), by default the first."""
-    return EnumProperty(name=name, description=description, items=items, default=items[0][0])
+    return EnumProperty(name=name, description=description, items=items, default=default or items[0][0])
 
 
 def switch(name, description, default=False):

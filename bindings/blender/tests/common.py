@@ -31,6 +31,11 @@ def part(name):
     return sys.modules[f"{NAME}.{name}"]
 
 
+def said():
+    """What the last run left in the sidebar."""
+    return " ".join(text for _, text in part("found")._said)
+
+
 def clear():
     """An empty scene in Object mode."""
     if bpy.context.object and bpy.context.object.mode != "OBJECT":
@@ -129,6 +134,33 @@ def geodesic(frequency):
     points = np.array(points)
     _, first, inverse = np.unique(np.round(points * 1e5).astype(np.int64), axis=0, return_index=True, return_inverse=True)
     return points[first], inverse.ravel()[np.array(faces)]
+
+
+def flattened_roof():
+    """A roof whose ridge, along the x axis, is flattened in the middle, where its faces are selected; in Edit mode."""
+    return _roof(lambda x, y, is_inside: np.where(is_inside, -3.0, -np.abs(y)))
+
+
+def fading_ridge():
+    """A ridge of 53 degrees along the x axis, which leads into the selected faces; beyond them the surface is flat."""
+
+    def height(x, y, is_inside):
+        far = np.clip((x + 3) / 6, 0, 1)
+        return -np.abs(y) * (1 - far * far * (3 - 2 * far)) / 2
+
+    return _roof(height)
+
+
+def _roof(height):
+    line = np.arange(15) - 7.0
+    x, y = (grid.ravel() for grid in np.meshgrid(line, line))
+    is_inside = (np.abs(x) < 4) & (np.abs(y) < 4)
+    i = np.arange(15 * 15).reshape(15, 15)
+    faces = np.stack([i[:-1, :-1], i[:-1, 1:], i[1:, 1:], i[1:, :-1]], axis=-1).reshape(-1, 4)
+    obj = add("roof", np.stack([x, y, height(x, y, is_inside)], axis=1), faces)
+    edit(obj)
+    select_faces(obj, lambda face: any(is_inside[v.index] for v in face.verts))
+    return obj
 
 
 def _on_sphere(obj):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fair Selection, end to end: the zip installed through Blender's operators, known answers."""
 
+import math
 import sys
 from pathlib import Path
 from types import SimpleNamespace
@@ -11,7 +12,7 @@ import bmesh
 import common
 import numpy as np
 import runner
-from common import activate, coordinates, edit, flatten_cap, irregular_sphere, part, radial_error, uv_sphere
+from common import activate, coordinates, edit, flatten_cap, irregular_sphere, part, radial_error, said, uv_sphere
 
 BAR = 1e-5
 common.install(runner.arguments()[0])
@@ -43,6 +44,7 @@ def test_components_are_counted_where_some_are_not_fair():
             iterations=5,
             reached=1.0,
             member_weight=0.5,
+            sharp_edges=(),
         )
         return part("messages").faired(worst)
 
@@ -553,7 +555,7 @@ def test_what_is_not_continued_is_told():
         continuity = (Loop,)
 
     class Report:
-        free_vertices, iterations, components = 5, 9, (Component,)
+        free_vertices, iterations, components, sharp_edges = 5, 9, (Component,), ()
         outcome = messages.Outcome.CONVERGED
 
     kind, text = messages.faired(Report, 1.0)
@@ -564,6 +566,33 @@ def test_what_is_not_continued_is_told():
     assert "curvature" not in messages.faired(Report, 1.0)[1]
     Component.continuity = ()
     assert "is not continued" in messages.faired(Report, 1.0)[1]
+
+
+def off_roof(obj):
+    at = coordinates(obj)
+    return np.abs(at[:, 2] + np.abs(at[:, 1])).max()
+
+
+def test_sharp_edges_go_on():
+    for options in ({"sharp": "AUTO"}, {"sharp": "ANGLE", "sharp_angle": math.radians(80)}):
+        common.clear()
+        obj = common.flattened_roof()
+        assert fair(**options) == {"FINISHED"}
+        assert off_roof(obj) < 1e-5, off_roof(obj)
+        assert "1 sharp edge goes on" in said(), said()
+    for options in ({"sharp": "OFF"}, {"sharp": "ANGLE", "sharp_angle": math.radians(100)}):
+        common.clear()
+        obj = common.flattened_roof()
+        fair(**options)
+        assert off_roof(obj) > 0.1 and "sharp" not in said().split(":")[0], said()
+
+
+def test_a_sharp_edge_that_ends_is_told():
+    common.clear()
+    common.fading_ridge()
+    fair(sharp="AUTO")
+    assert "1 sharp edge ends at vertex" in said() and "(53 degrees)" in said(), said()
+    assert "Select so much that the sharp edge ends outside" in said() and "Sharp Edges: Smooth" in said(), said()
 
 
 def refused(obj, *parts):

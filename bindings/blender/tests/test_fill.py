@@ -137,6 +137,21 @@ def test_shape_keys_carry_the_patch_along():
     assert np.abs(positions["Moved"] - positions["Basis"] - [0, 0, 2]).max() < 1e-6
 
 
+def test_a_sharp_edge_goes_on_through_a_patch():
+    for erase in (False, True):
+        common.clear()
+        obj = common.flattened_roof()
+        if erase:
+            assert bpy.ops.mesh.fairmesh_erase_and_fill(sharp="AUTO") == {"FINISHED"}
+        else:
+            delete_faces(obj, lambda face: any(max(abs(v.co.x), abs(v.co.y)) < 4 for v in face.verts))
+            select_boundary(obj, lambda edge: max(abs(v.co.x) for v in edge.verts) < 6)
+            assert fill(sharp="AUTO") == {"FINISHED"}
+        at = coordinates(obj)
+        assert np.abs(at[:, 2] + np.abs(at[:, 1])).max() < 1e-4, erase
+        assert "1 sharp edge goes on" in common.said(), common.said()
+
+
 def two_holes():
     obj = irregular_sphere(20)
     delete_faces(obj, lambda f: f.calc_center_median().z > 0.9 or f.calc_center_median().z < -0.97)

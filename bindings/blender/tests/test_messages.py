@@ -11,20 +11,15 @@ import bmesh
 import common
 import numpy as np
 import runner
-from common import part
+from common import part, said
 
 common.install(runner.arguments()[0])
 
-ENUMERATIONS = ("Status", "Outcome", "LooseReason", "FillOutcome", "FillReason")
+ENUMERATIONS = ("Status", "Outcome", "LooseReason", "FillOutcome", "FillReason", "SharpFate")
 # Of programs alone: arguments of a call, which the add-on's own calls do not get wrong.
 OF_CALLS = range(1, 12)
 # What the library's options are called there and, or so, everywhere.
 EVERYWHERE = set("fair sharp smooth open loops vertices faces check free join input flat best threads fill single".split())
-
-
-def said():
-    """What the last run left in the sidebar."""
-    return " ".join(text for _, text in part("found")._said)
 
 
 def labels():
