@@ -83,7 +83,7 @@ class FairingOptions:
     )
     sharp: selection(
         "Sharp Edges",
-        "What becomes of sharp edges around the selection that lead into it",
+        "What becomes of sharp edges around the selection that lead into it. In Fair Live they end there",
         ("OFF", "Smooth", "They end at the selection: inside, the surface is smooth"),
         ("AUTO", "Go On", "Those that are certain go on in it, if they fit each other: vertices are placed along them"),
         ("ANGLE", "Go On by Angle", "The same, of those that bend by the angle or more"),
