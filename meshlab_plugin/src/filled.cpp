@@ -99,6 +99,7 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool 
         if (hole.reason == FAIRMESH_FILL_REASON_OPPOSITE_SIDES) but += opposite(hole, loops);
         if (!but.empty()) host.warn("Warning, " + which + ": " + but);
         if (continues_curvature && hole.has_report) log_continuity(filled, host, i);
+        if (hole.has_report) log_sharp_edges(filled, host, i);
     }
     const int closed = static_cast<int>(info.loop_count) - open;
     if (joined > 0) host.log(text("Loops that share a patch with others: %d", joined));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 #include "parameters.h"
+#include "report.h"
 
 #include <QRegularExpression>
 
@@ -51,11 +52,21 @@ double not_negative(const RichParameterList &list, const char *name) {
 
 int as_int(std::uint64_t number) { return static_cast<int>(std::min<std::uint64_t>(number, INT_MAX)); }
 
+/** Dialogs of 2020.09 have room for it in that of fairing alone. */
+void add_sharp(RichParameterList &list, bool is_fairing) {
+    const auto standard = static_cast<Scalar>(fairmesh::options().sharp);
+    const char *label = "Sharp edges from (degrees)";
+    const std::string help = text("Edges around that bend by this or more go on in it. %.0f: certain ones. 0: none.", FAIRMESH_SHARP_AUTO);
+    if (is_fairing) list.addParam(RichFloat("sharp", standard, label, help.c_str()));
+    else add_advanced<RichFloat>(list, "sharp", standard, label, help.c_str());
+}
+
 /** What both ways of fairing have. */
-void add_solver_parameters(RichParameterList &list) {
+void add_solver_parameters(RichParameterList &list, bool is_fairing = false) {
     const fairmesh::options standard;
     list.addParam(RichFloat("continuity", static_cast<Scalar>(standard.continuity), "Match curvature",
                             "0: tangent to its surroundings. 1: as curved as they are, where they tell it."));
+    add_sharp(list, is_fairing);
     list.addParam(RichEnum("target", static_cast<int>(standard.target.kind), {"Natural", "Bulged", "Elastic sheet"}, "Shape",
                            "Natural: spheres come back. Bulged: pushed out. Elastic sheet: least bent."));
     list.addParam(RichFloat("bulge", 100, "Bulge", "For 'Bulged': 100 raises a flat disc by a seventh of its radius. Below 0: in."));
@@ -78,6 +89,7 @@ void read_solver_parameters(const RichParameterList &list, fairmesh::options &op
     options.target.kind = static_cast<std::uint32_t>(in_list(list, "target", 3));
     options.target.constant = list.getFloat("bulge");
     options.continuity = list.getFloat("continuity");
+    if (list.hasParameter("sharp")) options.sharp = list.getFloat("sharp");
     if (list.hasParameter("tolerance")) options.tolerance = list.getFloat("tolerance");
     options.max_iterations = at_least(list, "max_iterations", 1);
     if (list.hasParameter("check_intersections"))
@@ -146,7 +158,7 @@ void add_fair_parameters(RichParameterList &list) {
                            "Directions of the surface at its boundary. Averaged: for noisy surroundings."));
     list.addParam(RichString("normal_attribute", "", "Attribute of normals",
                              "For 'Attribute': of points, or three of numbers that end with _x, _y, _z."));
-    add_solver_parameters(list);
+    add_solver_parameters(list, true);
     list.addParam(RichBool("curvature_to_quality", false, "Curvature to quality",
                            "Mean curvature of the region's vertices: 1 / length, negative on a sphere."));
 }

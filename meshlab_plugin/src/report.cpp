@@ -56,6 +56,7 @@ Values values_of(const fairmesh_report &report, const MeshView &view) {
         {"creased_vertices", number(report.creased_vertex_count)},
         {"seconds_solve", report.seconds_total},
         {"components", number(report.component_count)},
+        {"sharp_edges", number(report.sharp_edge_count)},
     };
 }
 
@@ -104,6 +105,24 @@ void log_continuity(const fairmesh::result &result, const Host &host, std::uint6
     }
     if (told == 0)
         host.log("Curvature continuity was not reached: no boundary has surroundings and vertices enough, or no surface was found");
+}
+
+void log_sharp_edges(const fairmesh::result &result, const Host &host, std::uint64_t index) {
+    const std::uint64_t count = result.report(index).sharp_edge_count;
+    for (std::uint64_t i = 0; i < count; i++) {
+        const fairmesh_sharp_edge edge = result.sharp_edge(i, index);
+        std::string ends;
+        for (std::uint64_t k = 0; k < edge.end_count; k++) {
+            const fairmesh_crease_end end = result.crease_end(i, k, index);
+            ends += text("%s %llu (%.4g degrees)", k == 0 ? " vertex" : ",", static_cast<unsigned long long>(end.vertex), end.angle);
+        }
+        const std::string fate = fairmesh::meaning(FAIRMESH_ANSWER_SHARP_FATE, edge.fate);
+        const std::string remedy = fairmesh::remedy(FAIRMESH_ANSWER_SHARP_FATE, edge.fate);
+        if (remedy.empty())
+            host.log("Sharp edge," + ends + ": " + fate +
+                     text(", along %llu vertices", static_cast<unsigned long long>(edge.vertex_count)));
+        else host.warn("Sharp edge," + ends + ": " + fate + "; " + remedy + ".");
+    }
 }
 
 namespace {

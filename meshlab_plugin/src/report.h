@@ -27,6 +27,9 @@ void log_components(const fairmesh::result &result, const Host &host);
 /** In the log: how far curvature is continued along each boundary loop of a region, the one with this index of the result. */
 void log_continuity(const fairmesh::result &result, const Host &host, std::uint64_t index = 0);
 
+/** In the log: what became of the sharp edges that reach the boundary of a region, the one with this index of the result. */
+void log_sharp_edges(const fairmesh::result &result, const Host &host, std::uint64_t index = 0);
+
 /** What an outcome means to the user; empty for one without reservation. */
 std::string reservation(const fairmesh_report &report);
 

@@ -117,7 +117,7 @@ logged 2 'Fairing converged'
 logged 1 'Applied filter Fairmesh: Fair Selected Region'
 shot applied
 
-click 338 148 # the number of iterations
+click 338 133 # the number of iterations
 xdotool key ctrl+a type 0
 click 401 22 # Apply
 window 'Filter Failure'

@@ -97,6 +97,22 @@ def cube(cells):
     return vertices.astype(float), number.ravel()[np.vstack(faces)]
 
 
+def roof(is_fading):
+    """A roof whose ridge, along the x axis, is flattened in the middle; or one that leads into it, and beyond the surface is flat.
+
+    Vertices, faces, and which vertices are in the middle.
+    """
+    line = np.arange(15) - 7.0
+    x, y = (grid.ravel() for grid in np.meshgrid(line, line))
+    inside = (np.abs(x) < 4) & (np.abs(y) < 4)
+    far = np.clip((x + 3) / 6, 0, 1)
+    z = -np.abs(y) * (1 - far * far * (3 - 2 * far)) / 2 if is_fading else np.where(inside, -3.0, -np.abs(y))
+    i = np.arange(15 * 15).reshape(15, 15)
+    a, b, c, d = i[:-1, :-1], i[:-1, 1:], i[1:, 1:], i[1:, :-1]
+    faces = np.concatenate([np.stack(corners, axis=-1).reshape(-1, 3) for corners in ((a, b, c), (a, c, d))])
+    return np.stack([x, y, z], axis=1), faces, inside
+
+
 def smallest_angle(vertices, faces):
     """In degrees."""
     corners = vertices[faces]

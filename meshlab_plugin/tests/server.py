@@ -32,6 +32,7 @@ PARAMETERS = {
         "boundary_normals": ("RichEnum", 0, 4),
         "normal_attribute": ("RichString", ""),
         **SOLVER,
+        "sharp": ("RichFloat", 0),
         "curvature_to_quality": ("RichBool", "false"),
     },
     CLOSE: {

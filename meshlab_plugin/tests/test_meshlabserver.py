@@ -339,6 +339,18 @@ class Refused(Case):
         self.refused(file, FAIR, "no per-vertex attribute 'there'", boundary_normals=3, normal_attribute="there")
         self.refused(file, CLOSE, "Parameter max_edges is 2", max_edges=2)
 
+    def test_sharp_edges_are_told(self):
+        for sharp, is_fading, said in (
+            (20, False, r"Sharp edge, vertex \d+ \(90 degrees\), \d+ \(90 degrees\): .*from end to end, along \d+ vertices"),
+            (20, True, r"Sharp edge, vertex \d+ \(53.13 degrees\): no other end fits it.*; select so much"),
+            (0, False, "Fairing converged"),
+        ):
+            vertices, faces, inside = meshes.roof(is_fading)
+            file = self.case(vertices, faces, inside[faces].any(axis=1))
+            _, text = self.applied(file, (FAIR, {"sharp": sharp}))
+            self.assertRegex(text, said)
+            self.assertEqual("Sharp edge" in text, sharp > 0)
+
     def test_figures_are_those_of_the_floats_that_are_stored(self):
         vertices, faces, selected, inside = dented_sphere()
         file = self.case(vertices + 2.0**14, faces, selected)

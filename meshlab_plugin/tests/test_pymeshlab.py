@@ -751,6 +751,40 @@ class Words(Case):
         self.assertLessEqual({"vertices", "curvature_min", "curvature_max", "curvature_mean", "seconds"}, told[CURVATURE].keys())
 
 
+class Sharp(Case):
+    """A ridge that leads into the region."""
+
+    def faired(self, sharp, is_fading=False):
+        """The largest distance from the roof, and what the filter tells."""
+        vertices, faces, inside = meshes.roof(is_fading)
+        ms = mesh_set(vertices, faces, f_scalar_array=inside[faces].any(axis=1).astype(float))
+        ms.compute_selection_by_condition_per_face(condselect="fq > 0.5")
+        values = ms.apply_filter(FAIR, sharp=sharp)
+        at = ms.current_mesh().vertex_matrix()
+        return np.abs(at[:, 2] + np.abs(at[:, 1])).max(), values
+
+    def test_it_goes_on_where_that_is_asked_for(self):
+        off, values = self.faired(20)
+        self.assertLess(off, 1e-5)
+        self.assertEqual((values["sharp_edges"], values["converged"]), (1, True))
+        off, values = self.faired(0)
+        self.assertGreater(off, 0.1)
+        self.assertEqual(values["sharp_edges"], 0)
+
+    def test_one_that_ends_is_no_success(self):
+        _, values = self.faired(20, is_fading=True)
+        self.assertEqual((values["sharp_edges"], values["converged"]), (1, False))
+
+    def test_it_goes_on_through_a_patch(self):
+        vertices, faces, inside = meshes.roof(False)
+        ms = mesh_set(vertices, faces, f_scalar_array=inside[faces].any(axis=1).astype(float))
+        ms.compute_selection_by_condition_per_face(condselect="fq > 0.5")
+        values = ms.apply_filter(ERASE, sharp=20)
+        at = ms.current_mesh().vertex_matrix()
+        self.assertLess(np.abs(at[:, 2] + np.abs(at[:, 1])).max(), 1e-4)
+        self.assertEqual((values["closed"], values["converged"]), (1, True))
+
+
 class Refused(Case):
     def test_no_selection(self):
         ms, _ = dented_sphere()
