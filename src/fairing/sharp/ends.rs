@@ -62,16 +62,19 @@ fn along(outside: &Outside<'_>, chain: Vec<u32>, least: f64) -> Option<CreaseEnd
     }
     let sides = Sides::new(outside, &chain, least);
     let outward = outside.position(chain[chain.len().min(3) - 1]) - outside.position(chain[0]);
-    let fold = |step: &[u32]| Fold::of(sides.fits(step[0], step[1])?, outward);
+    let fold = |step: &[u32], most: f64| Fold::of(sides.fits(step[0], step[1], most)?, outward);
     let significant = SIGNIFICANT * LONG as f64 / count;
-    let here = fold(&chain[..2]).filter(|fold| fold.is_certain(significant) && fold.angle.abs() >= least)?;
+    // With larger errors an angle is not certain that these bends allow.
+    let most = bend.abs() / OF_EDGES / significant;
+    let here = fold(&chain[..2], most.to_radians());
+    let here = here.filter(|fold| fold.is_certain(significant) && fold.angle.abs() >= least)?;
     let lasts = |fold: Option<Fold>| {
         fold.is_some_and(|fold| {
             !fold.is_certain(SIGNIFICANT) || fold.angle * here.angle.signum() >= LASTS * here.angle.abs()
         })
     };
     let is_along_edges = bend * here.angle.signum() >= OF_EDGES * here.angle.abs();
-    (is_along_edges && steps().skip(1).map(fold).all(lasts)).then(|| CreaseEnd {
+    (is_along_edges && steps().skip(1).all(|step| lasts(fold(step, f64::INFINITY)))).then(|| CreaseEnd {
         vertex: chain[0],
         direction: here.direction.into(),
         normals: here.normals.map(Into::into),

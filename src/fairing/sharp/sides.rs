@@ -61,14 +61,15 @@ impl Sides {
         }
     }
 
-    /// The fits at `from` left and right of the edge to `to`; `None` where a side cannot be told.
-    pub(super) fn fits(&self, from: u32, to: u32) -> Option<[Fit; 2]> {
+    /// The fits at `from` left and right of the edge to `to`; `None` where a side cannot be told, or with an error of more than `most`, radians.
+    pub(super) fn fits(&self, from: u32, to: u32, most: f64) -> Option<[Fit; 2]> {
         let left = self.copy_at(from, |tri, k| tri[(k + 1) % 3], to)?;
         let right = self.copy_at(from, |tri, k| tri[(k + 2) % 3], to)?;
         if left == right {
             return None;
         }
-        Some([self.fit(left)?, self.fit(right)?])
+        let fit = |v: u32| self.fit(v).filter(|fit| fit.error <= most);
+        Some([fit(left)?, fit(right)?])
     }
 
     /// Normals at the boundary vertices near to the first one of the chain that are not on it.
@@ -113,11 +114,12 @@ impl Sides {
         let Some(coarse) = coarse.filter(|fit| narrow.is_none() || fit.error < SMOOTH) else {
             return narrow;
         };
+        if coarse.error >= SMOOTH {
+            return Some(coarse);
+        }
         let mut samples = Samples::<RINGS>::default();
         samples.gather(&self.neighbours, &self.x, v as usize, &mut Vec::new());
-        let agrees = |fine: &Fit| {
-            coarse.error < SMOOTH && angle(&fine.normal, &coarse.normal) <= AGREES * coarse.error
-        };
+        let agrees = |fine: &Fit| angle(&fine.normal, &coarse.normal) <= AGREES * coarse.error;
         let fine = THIRD_BESIDE.fit(&samples, coarse.normal).filter(agrees);
         fine.filter(|fine| fine.error < coarse.error).or(Some(coarse))
     }
