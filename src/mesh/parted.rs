@@ -14,7 +14,7 @@ pub(crate) fn part(vertices: usize, triangles: &[[u32; 3]], edges: &[[u32; 2]]) 
     cut.sort_unstable();
     let mut is_on_cut = vec![false; vertices];
     cut.iter().flatten().for_each(|&v| is_on_cut[v as usize] = true);
-    let mut corners: Vec<(u32, usize, usize)> = Vec::new();
+    let mut corners: Vec<Corner> = Vec::new();
     for (t, tri) in triangles.iter().enumerate() {
         let on_cut = (0..3).filter(|&k| is_on_cut[tri[k] as usize]);
         corners.extend(on_cut.map(|k| (tri[k], t, k)));
@@ -24,9 +24,10 @@ pub(crate) fn part(vertices: usize, triangles: &[[u32; 3]], edges: &[[u32; 2]]) 
         triangles: triangles.to_vec(),
         copy_of: Vec::new(),
     };
+    let is_cut = |v: u32, w: u32| is_on_cut[w as usize] && cut.binary_search(&[v.min(w), v.max(w)]).is_ok();
     for of_vertex in corners.chunk_by(|a, b| a.0 == b.0) {
         let mut numbers = vec![of_vertex[0].0];
-        for fan in fans(triangles, of_vertex, &cut) {
+        for fan in fans(triangles, of_vertex, is_cut) {
             let number = numbers.pop().unwrap_or_else(|| {
                 parted.copy_of.push(of_vertex[0].0);
                 (vertices + parted.copy_of.len() - 1) as u32
@@ -39,35 +40,28 @@ pub(crate) fn part(vertices: usize, triangles: &[[u32; 3]], edges: &[[u32; 2]]) 
     parted
 }
 
+type Corner = (u32, usize, usize);
+
 /// The corners at one vertex, gathered where their triangles share an edge there that is not cut.
-fn fans(
-    triangles: &[[u32; 3]],
-    of_vertex: &[(u32, usize, usize)],
-    cut: &[[u32; 2]],
-) -> Vec<Vec<(u32, usize, usize)>> {
-    let beside = |&(v, t, k): &(u32, usize, usize)| {
-        let tri = triangles[t];
-        let other = [tri[(k + 1) % 3], tri[(k + 2) % 3]];
-        other.map(|w| {
-            let is_cut = cut.binary_search(&[v.min(w), v.max(w)]).is_ok();
-            (!is_cut).then_some(w)
-        })
+fn fans(triangles: &[[u32; 3]], of_vertex: &[Corner], is_cut: impl Fn(u32, u32) -> bool) -> Vec<Vec<Corner>> {
+    let beside = |&(v, t, k): &Corner| {
+        let other = [triangles[t][(k + 1) % 3], triangles[t][(k + 2) % 3]];
+        other.map(|w| (!is_cut(v, w)).then_some(w))
     };
-    let mut left = of_vertex.to_vec();
+    let mut left: Vec<(Corner, [Option<u32>; 2])> = of_vertex.iter().map(|c| (*c, beside(c))).collect();
     let mut fans = Vec::new();
     while !left.is_empty() {
-        let mut fan = vec![left.remove(0)];
-        let mut next = 0;
-        while next < fan.len() {
-            let edges = beside(&fan[next]);
-            let is_beside = |corner: &(u32, usize, usize)| {
-                let own = beside(corner);
-                own.iter().flatten().any(|w| edges.contains(&Some(*w)))
-            };
-            let (found, others) = left.iter().copied().partition(is_beside);
-            fan.extend::<Vec<_>>(found);
-            left = others;
-            next += 1;
+        let (first, edges) = left.remove(0);
+        let (mut fan, mut ends) = (vec![first], vec![edges]);
+        while let Some(edges) = ends.pop() {
+            left.retain(|(corner, own)| {
+                let is_beside = own.iter().any(|w| w.is_some() && edges.contains(w));
+                if is_beside {
+                    fan.push(*corner);
+                    ends.push(*own);
+                }
+                !is_beside
+            });
         }
         fans.push(fan);
     }

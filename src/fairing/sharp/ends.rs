@@ -140,7 +140,7 @@ fn chain(outside: &Outside<'_>, v: u32, w: u32, least: f64) -> Vec<u32> {
 fn without_doubles(outside: &Outside<'_>, ends: Vec<CreaseEnd>) -> Vec<CreaseEnd> {
     let certainty = |end: &CreaseEnd| end.angle.abs() / end.error.max(1e-9);
     let near = |end: &CreaseEnd| {
-        let around = end.chain.iter().flat_map(|&v| outside.within(v, 1)).flatten();
+        let around = end.chain.iter().flat_map(|&v| outside.within(v, 1).vertices);
         let mut around: Vec<u32> = around.collect();
         around.sort_unstable();
         around

@@ -1,8 +1,11 @@
 //! The surface around a region, as creases are looked for in it.
 
+use std::cell::RefCell;
+
 use nalgebra::Vector3;
 
 use crate::discrete::boundary_normals::angle;
+use crate::mesh::halfedge::NONE;
 use crate::mesh::rows::Rows;
 
 /// The triangles that have no free vertex.
@@ -13,6 +16,7 @@ pub(super) struct Outside<'a> {
     at: Rows<u32>,
     /// The fixed vertices of triangles with a free one.
     pub(super) is_boundary: Vec<bool>,
+    marks: RefCell<Marks>,
 }
 
 impl<'a> Outside<'a> {
@@ -50,6 +54,7 @@ impl<'a> Outside<'a> {
             triangles,
             at: Rows::collect(positions.len(), corners),
             is_boundary,
+            marks: RefCell::default(),
         }
     }
 
@@ -90,27 +95,52 @@ impl<'a> Outside<'a> {
         (q - p).cross(&(r - p)).try_normalize(f64::MIN_POSITIVE)
     }
 
-    /// The triangles within so many rings around a vertex.
-    pub(super) fn within(&self, v: u32, rings: usize) -> Vec<[u32; 3]> {
-        let mut vertices = vec![v];
-        let mut ids: Vec<u32> = Vec::new();
+    /// What is within so many rings around a vertex.
+    pub(super) fn within(&self, v: u32, rings: usize) -> Near {
+        let mut marks = self.marks.borrow_mut();
+        let Marks { number, is_taken } = &mut *marks;
+        number.resize(self.positions.len(), NONE);
+        is_taken.resize(self.triangles.len(), false);
+        let (mut vertices, mut ids) = (vec![v], Vec::new());
+        number[v as usize] = 0;
+        let mut begin = 0;
         for _ in 0..rings {
-            ids = vertices
-                .iter()
-                .flat_map(|&v| self.at.row(v as usize))
-                .copied()
-                .collect();
-            ids.sort_unstable();
-            ids.dedup();
-            vertices = ids.iter().flat_map(|&t| self.triangles[t as usize]).collect();
-            vertices.sort_unstable();
-            vertices.dedup();
+            let end = vertices.len();
+            for k in begin..end {
+                for &t in self.at.row(vertices[k] as usize) {
+                    if std::mem::replace(&mut is_taken[t as usize], true) {
+                        continue;
+                    }
+                    ids.push(t);
+                    let new = |w: &u32| std::mem::replace(&mut number[*w as usize], 0) == NONE;
+                    vertices.extend(self.triangles[t as usize].into_iter().filter(new));
+                }
+            }
+            begin = end;
         }
-        let is_placed = |tri: &[u32; 3]| {
-            tri.iter()
-                .all(|&v| self.position(v).iter().all(|x| x.is_finite()))
-        };
-        let all = ids.iter().map(|&t| self.triangles[t as usize]);
-        all.filter(is_placed).collect()
+        vertices.sort_unstable();
+        ids.sort_unstable();
+        (0..).zip(&vertices).for_each(|(l, &w)| number[w as usize] = l);
+        let local = |&t: &u32| self.triangles[t as usize].map(|w| number[w as usize]);
+        let triangles = ids.iter().map(local).collect();
+        vertices.iter().for_each(|&w| number[w as usize] = NONE);
+        ids.iter().for_each(|&t| is_taken[t as usize] = false);
+        Near { vertices, triangles }
     }
+}
+
+/// A part of the surroundings.
+pub(super) struct Near {
+    /// Ascending.
+    pub(super) vertices: Vec<u32>,
+    /// By places in that list.
+    pub(super) triangles: Vec<[u32; 3]>,
+}
+
+/// What is gathered already, while it is.
+#[derive(Default)]
+struct Marks {
+    /// Per vertex its place: [`NONE`] before and after.
+    number: Vec<u32>,
+    is_taken: Vec<bool>,
 }

@@ -37,13 +37,9 @@ pub(super) struct Sides {
 impl Sides {
     /// The neighbourhood of the first vertices of a chain, parted also along the edges that bend by so much at its ends.
     pub(super) fn new(outside: &Outside<'_>, chain: &[u32], least: f64) -> Self {
-        let around = outside.within(chain[0], AROUND);
-        let mut ids: Vec<u32> = around.iter().flatten().copied().collect();
-        ids.sort_unstable();
-        ids.dedup();
+        let near = outside.within(chain[0], AROUND);
+        let (mut ids, triangles) = (near.vertices, near.triangles);
         let local = |v: u32| ids.binary_search(&v).ok().map(|l| l as u32);
-        let number = |v: u32| local(v).unwrap_or(0);
-        let triangles: Vec<[u32; 3]> = around.iter().map(|tri| tri.map(number)).collect();
         let beyond = beyond(outside, chain, least, |v| local(v).is_some());
         let chain = chain.windows(2).map(|step| [step[0], step[1]]);
         let cut: Vec<[u32; 2]> = chain
@@ -74,10 +70,7 @@ impl Sides {
 
     /// Normals at the boundary vertices near to the first one of the chain that are not on it.
     pub(super) fn boundary_normals(&self, outside: &Outside<'_>, chain: &[u32]) -> Vec<(u32, [f64; 3])> {
-        let near = outside.within(chain[0], NEAR);
-        let mut near: Vec<u32> = near.into_iter().flatten().collect();
-        near.sort_unstable();
-        near.dedup();
+        let mut near = outside.within(chain[0], NEAR).vertices;
         near.retain(|v| outside.is_boundary[*v as usize] && !chain.contains(v));
         let normal = |v: u32| {
             let local = self.ids.iter().position(|id| *id == v)?;
