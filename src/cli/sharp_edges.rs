@@ -79,6 +79,7 @@ pub fn json(edges: &[SharpEdge]) -> Value {
             "angle": end.angle,
             "error": end.error,
             "direction": end.direction,
+            "curvature": end.curvature,
             "normals": end.normals,
         })
     };

@@ -28,15 +28,14 @@ impl Check<'_, '_> {
 }
 
 impl PatchSurface {
-    /// Takes what became of sharp edges into the report; where a wide one stops, it is no success.
-    fn tell_edges(&mut self, edges: Vec<SharpEdge>) {
+    /// Where a wide sharp edge stops, it is no success.
+    fn judge_edges(&mut self) {
         let Some(report) = &mut self.fairing else { return };
-        let mut stopped = edges.iter().filter(|edge| edge.vertices.is_empty());
+        let mut stopped = report.sharp_edges.iter().filter(|edge| edge.vertices.is_empty());
         if report.outcome.is_success() && stopped.any(|edge| edge.ends.iter().any(CreaseEnd::is_wide)) {
             let reason = LooseReason::SharpEdge;
             report.outcome = Outcome::ConvergedLoosely { reason };
         }
-        report.sharp_edges.extend(edges);
     }
 
     /// The verdict of its report, but for the rim and intersections.
@@ -57,25 +56,24 @@ impl Task<'_> {
         let divided = self
             .divided(creases, length, tell)
             .map(|piece| check.judged(piece));
-        if let Some(piece) =
-            divided.filter(|piece| piece.is_open() || piece.is_good() && piece.crossings.is_empty())
-        {
-            if !piece.is_open()
-                && let Some(neighbours) = &mut check.neighbours
-            {
-                return neighbours.kept(check.of, piece);
-            }
-            return piece;
+        let is_kept = |piece: &PatchSurface| piece.is_good() && piece.crossings.is_empty();
+        let Some(mut piece) = divided.filter(|piece| piece.is_open() || is_kept(piece)) else {
+            return self.smooth((check, &self.told(creases, &[])), on_failure, tell);
+        };
+        piece.judge_edges();
+        let is_good = piece.is_good() && (check.has_sound_rim)(&piece);
+        match (&mut check.neighbours, on_failure) {
+            _ if piece.is_open() => piece,
+            (_, OnFailure::Open) if !is_good => PatchSurface::open(OpenReason::NotFair),
+            (Some(neighbours), _) => neighbours.kept(check.of, piece),
+            (None, _) => piece,
         }
-        let mut piece = self.smooth(check, on_failure, tell);
-        piece.tell_edges(self.told(creases, &[]));
-        piece
     }
 
     /// The smooth patch that is kept.
     fn smooth(
         &self,
-        mut check: Check<'_, '_>,
+        (mut check, edges): (Check<'_, '_>, &[SharpEdge]),
         on_failure: OnFailure,
         tell: &mut ProgressCallback<'_>,
     ) -> PatchSurface {
@@ -92,6 +90,10 @@ impl Task<'_> {
                 .and_then(|coarse| self.gentler(coarse, &judge, tell));
             piece = gentler.unwrap_or(piece);
         }
+        if let Some(report) = &mut piece.fairing {
+            report.sharp_edges.extend_from_slice(edges);
+        }
+        piece.judge_edges();
         if on_failure == OnFailure::Flat && !piece.is_good() {
             piece = check.judged(self.flattened(piece));
         }

@@ -71,6 +71,15 @@ impl Curve {
         None
     }
 
+    /// The circle, or line, from an end with this curvature.
+    pub(super) fn with_curvature(start: CurvePoint, curvature: Vector3<f64>, length: f64) -> Self {
+        Self {
+            start,
+            turning: [start.tangent.cross(&curvature) * length, Vector3::zeros()],
+            length,
+        }
+    }
+
     /// The circle from an end with its tangent to a point; `None` to one that lies straight behind it.
     pub(super) fn arc(start: CurvePoint, to: Vector3<f64>) -> Option<Self> {
         let chord = to - start.at;

@@ -4,7 +4,7 @@
 //! a crease, and tangent planes fitted on both sides of it: they have to differ by far more than the fits are uncertain, and
 //! by as much at the next vertices of the chain.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix2, Matrix2x3, Vector2, Vector3};
 
 use super::outside::Outside;
 use super::sides::{AROUND, Sides};
@@ -23,6 +23,10 @@ const OF_EDGES: f64 = 0.6;
 const LONG: usize = 5;
 /// Along them its angle, where it is certain, is no less than this part of that at the boundary: else it is a fold that runs out.
 const LASTS: f64 = 0.7;
+/// Fewer edges of a chain tell no curvature.
+const STRAIGHT: usize = 4;
+/// A curvature of fewer standard errors is none.
+const BENT: f64 = 6.0;
 /// A chain turns by no more than this from edge to edge, degrees.
 const TURN: f64 = 50.0;
 
@@ -76,12 +80,51 @@ fn along(outside: &Outside<'_>, chain: Vec<u32>, least: f64) -> Option<CreaseEnd
     let is_along_edges = bend * here.angle.signum() >= OF_EDGES * here.angle.abs();
     (is_along_edges && steps().skip(1).all(|step| lasts(fold(step, f64::INFINITY)))).then(|| CreaseEnd {
         vertex: chain[0],
+        curvature: curvature(outside, &chain, here.direction).into(),
         direction: here.direction.into(),
         normals: here.normals.map(Into::into),
         angle: here.angle,
         error: here.error,
         chain: chain.clone(),
     })
+}
+
+/// The curvature at the first vertex of a chain, of the curve through its vertices with this tangent there, against which they run: by least
+/// squares, `x(s) = x + t s + k s^2 / 2 + d s^3 / 6`. Zero where the vertices are not that near to it.
+fn curvature(outside: &Outside<'_>, chain: &[u32], tangent: Vector3<f64>) -> Vector3<f64> {
+    let from = outside.position(chain[0]);
+    let mut s = 0.0;
+    let samples = chain[1..].iter().zip(chain).map(|(&v, &before)| {
+        let x = outside.position(v);
+        s -= (x - outside.position(before)).norm();
+        let off = x - from - tangent * s;
+        (s, off - tangent * off.dot(&tangent))
+    });
+    let samples: Vec<(f64, Vector3<f64>)> = samples.collect();
+    if samples.len() < STRAIGHT {
+        return Vector3::zeros();
+    }
+    let basis = |s: f64| Vector2::new(s * s / 2.0, s.powi(3) / 6.0);
+    let mut matrix = Matrix2::zeros();
+    let mut right = Matrix2x3::zeros();
+    for (s, off) in &samples {
+        matrix += basis(*s) * basis(*s).transpose();
+        right += basis(*s) * off.transpose();
+    }
+    let Some(inverse) = matrix.try_inverse() else {
+        return Vector3::zeros();
+    };
+    let found = inverse * right;
+    let residual =
+        |(s, off): &(f64, Vector3<f64>)| (off.transpose() - basis(*s).transpose() * found).norm_squared();
+    let square: f64 = samples.iter().map(residual).sum();
+    let error = (square / (samples.len() - 2) as f64 * inverse[(0, 0)]).sqrt();
+    let k = found.row(0).transpose();
+    if k.norm() > BENT * error {
+        k
+    } else {
+        Vector3::zeros()
+    }
 }
 
 /// How the surface is folded at a vertex of a crease.
@@ -206,8 +249,10 @@ mod tests {
                     .iter()
                     .filter(|_| matches!(of, Creased::CappedCylinder | Creased::Cone(_)))
                 {
-                    let [x, y, _] = shape.positions[end.vertex as usize];
+                    let [x, y, z] = shape.positions[end.vertex as usize];
                     assert_near!(end.direction[0] * x + end.direction[1] * y, 0.0, 5e-4);
+                    let off = Vector3::from(end.curvature) + Vector3::new(x, y, z);
+                    assert_below!(off.norm(), 0.1);
                 }
             }
         }

@@ -6,6 +6,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::branch::{Branch, inward};
+use super::curve::{Curve, CurvePoint};
 use crate::discrete::boundary_normals::angle;
 use crate::fairing::sharp_edge::CreaseEnd;
 
@@ -17,6 +18,8 @@ const UNLIKE: f64 = 45.0;
 const WINDING: f64 = 3.5;
 /// The planes of two creases at a corner are off those that arrive by no more, degrees.
 const ASKEW: f64 = 30.0;
+/// So often the corner is looked for, each time with the tangents at the points nearest to it.
+const APPROACHES: usize = 8;
 /// More ends are not grouped: there are thousands of ways.
 const MOST: usize = 8;
 
@@ -126,19 +129,35 @@ fn corner(ends: &[CreaseEnd], of: [usize; 3], positions: &[[f64; 3]]) -> Option<
     })
 }
 
-/// The point nearest to three tangents, if it lies before all of them.
+/// The point nearest to three creases that go on with their curvatures, if it lies before all of them.
 fn meeting_point(ends: [&CreaseEnd; 3], positions: &[[f64; 3]]) -> Option<Vector3<f64>> {
-    let tangents = ends.map(|end| inward(end, positions));
+    let mut lines = ends.map(|end| inward(end, positions));
+    for _ in 0..APPROACHES {
+        let point = nearest_point(&lines)?;
+        for (line, end) in lines.iter_mut().zip(ends) {
+            let start = inward(end, positions);
+            let way = (point - start.at).norm();
+            let curve = Curve::with_curvature(start, end.curvature.into(), 1.5 * way);
+            *line = curve.at(curve.nearest(&point).0);
+        }
+    }
+    let point = nearest_point(&lines)?;
+    let is_before = |end: &CreaseEnd| {
+        let start = inward(end, positions);
+        let to = point - start.at;
+        let bend = Vector3::from(end.curvature).norm() * to.norm();
+        angle(&start.tangent, &to) < ASKEW.to_radians() + 0.5 * bend
+    };
+    ends.iter().all(|end| is_before(end)).then_some(point)
+}
+
+/// The point nearest to three lines.
+fn nearest_point(lines: &[CurvePoint; 3]) -> Option<Vector3<f64>> {
     let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
-    for line in &tangents {
+    for line in lines {
         let across = Matrix3::identity() - line.tangent * line.tangent.transpose();
         matrix += across;
         right += across * line.at;
     }
-    let point = matrix.cholesky()?.solve(&right);
-    let is_before = |line: &super::curve::CurvePoint| {
-        let to = point - line.at;
-        angle(&line.tangent, &to) < ASKEW.to_radians()
-    };
-    tangents.iter().all(is_before).then_some(point)
+    Some(matrix.cholesky()?.solve(&right))
 }
