@@ -146,17 +146,21 @@ impl Sides {
 /// The edges that bend by so much and are reached over such edges from the last vertex of a chain; and those from its first one along the
 /// boundary, where it goes on.
 fn beyond(outside: &Outside<'_>, chain: &[u32], least: f64, is_near: impl Fn(u32) -> bool) -> Vec<[u32; 2]> {
-    let creased = |at: u32| {
+    let creased = |at: u32, done: &[u32]| -> Vec<u32> {
+        let is_new = |w: &u32| is_near(*w) && !chain.contains(w) && !done.contains(w);
+        let bends = |w: &u32| outside.bend(at, *w).abs() >= least;
         let others = outside.neighbours(at).into_iter();
-        others.filter(move |w| !chain.contains(w) && outside.bend(at, *w).abs() >= least)
+        others.filter(|w| is_new(w) && bends(w)).collect()
     };
-    let along = creased(chain[0]).filter(|w| outside.is_boundary[*w as usize]);
+    let along = creased(chain[0], &[]).into_iter();
+    let along = along.filter(|w| outside.is_boundary[*w as usize]);
     let mut edges: Vec<[u32; 2]> = along.map(|w| [chain[0], w]).collect();
     let mut reached = vec![chain[chain.len() - 1]];
     let mut next = 0;
     while next < reached.len() {
         let at = reached[next];
-        for w in creased(at).filter(|w| is_near(*w)) {
+        // The others are known from their other ends.
+        for w in creased(at, &reached[..next]) {
             edges.push([at, w]);
             if !reached.contains(&w) {
                 reached.push(w);
