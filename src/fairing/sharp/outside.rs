@@ -95,7 +95,7 @@ impl<'a> Outside<'a> {
         (q - p).cross(&(r - p)).try_normalize(f64::MIN_POSITIVE)
     }
 
-    /// What is within so many rings around a vertex.
+    /// What is within so many rings around a vertex; triangles without a place are none.
     pub(super) fn within(&self, v: u32, rings: usize) -> Near {
         let mut marks = self.marks.borrow_mut();
         let Marks { number, is_taken } = &mut *marks;
@@ -103,17 +103,20 @@ impl<'a> Outside<'a> {
         is_taken.resize(self.triangles.len(), false);
         let (mut vertices, mut ids) = (vec![v], Vec::new());
         number[v as usize] = 0;
+        let is_placed = |&w: &u32| self.position(w).iter().all(|x| x.is_finite());
         let mut begin = 0;
         for _ in 0..rings {
             let end = vertices.len();
             for k in begin..end {
                 for &t in self.at.row(vertices[k] as usize) {
-                    if std::mem::replace(&mut is_taken[t as usize], true) {
+                    let tri = self.triangles[t as usize];
+                    if is_taken[t as usize] || !tri.iter().all(is_placed) {
                         continue;
                     }
+                    is_taken[t as usize] = true;
                     ids.push(t);
                     let new = |w: &u32| std::mem::replace(&mut number[*w as usize], 0) == NONE;
-                    vertices.extend(self.triangles[t as usize].into_iter().filter(new));
+                    vertices.extend(tri.into_iter().filter(new));
                 }
             }
             begin = end;
