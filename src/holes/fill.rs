@@ -17,8 +17,8 @@ use super::outcome::{FillOutcome, OpenReason};
 use super::rim::Rims;
 use super::surroundings::{LAYERS_OF_CREASES, Surroundings};
 use crate::fairing::{
-    Intersections, Options, Progress, ProgressCallback, SelfIntersections, check_loops, in_given,
-    joined_options, on_workers,
+    BoundaryCrease, Intersections, Options, Progress, ProgressCallback, SelfIntersections, check_loops,
+    in_given, joined_options, on_workers,
 };
 use crate::holes::fill_progress::{FillProgress, Tries};
 use crate::holes::local_frame::local_options;
@@ -335,12 +335,6 @@ impl FillRun<'_> {
         callback: &mut ProgressCallback<'_>,
     ) -> PatchSurface {
         let mut surroundings = Surroundings::new(self.links, self.positions, loops, &mut self.place);
-        let is_creased =
-            loops.len() == 1 && self.options.fair && surroundings.may_be_creased(self.fairing.sharp);
-        if is_creased {
-            let layers = (LAYERS_OF_CREASES, &mut self.place[..]);
-            surroundings = Surroundings::with_layers(self.links, self.positions, loops, layers);
-        }
         surroundings.guides.clone_from(&self.guides[i]);
         if let Some(vertex) = surroundings.first_unusable() {
             return PatchSurface::open(OpenReason::NotFinite { vertex });
@@ -363,6 +357,8 @@ impl FillRun<'_> {
                 ..*progress
             })
         };
+        let (wide, creases) = self.creases(&surroundings, loops);
+        surroundings = wide.unwrap_or(surroundings);
         let options = local_options(&surroundings, self.fairing);
         let options = self.rims.with_normals(i, &surroundings, options);
         let task = Task {
@@ -389,10 +385,6 @@ impl FillRun<'_> {
             neighbours: self.neighbours.as_mut(),
             has_sound_rim: &has_sound_rim,
         };
-        let creases = match is_creased && task.unfaired.is_none() {
-            true => surroundings.creases(&options),
-            false => Vec::new(),
-        };
         let length = 1.0 / self.options.density;
         let piece = task.settled((&creases, length), check, self.options.on_failure, &mut tell);
         self.left -= piece.positions.len();
@@ -406,6 +398,24 @@ impl FillRun<'_> {
             }
         }
         piece
+    }
+
+    /// The creases at a loop, if there are some, and the surroundings in which they were followed.
+    fn creases(
+        &mut self,
+        around: &Surroundings,
+        loops: &[&BoundaryLoop],
+    ) -> (Option<Surroundings>, Vec<BoundaryCrease>) {
+        let is_faired = loops.len() == 1 && self.options.unfaired(around).is_none();
+        if !is_faired || !around.guides.is_empty() || !around.may_be_creased(self.fairing.sharp) {
+            return (None, Vec::new());
+        }
+        let layers = (LAYERS_OF_CREASES, &mut self.place[..]);
+        let mut wide = Surroundings::with_layers(self.links, self.positions, loops, layers);
+        wide.taken.clone_from(&around.taken);
+        let creases = wide.creases(&local_options(&wide, self.fairing));
+        let wide = (!creases.is_empty()).then_some(wide);
+        (wide, creases)
     }
 
     /// Edges that patches on touching loops have made are taken, too.
