@@ -18,14 +18,19 @@ const SIGNIFICANT: f64 = 12.0;
 /// Fits with larger standard errors tell nothing, degrees.
 const UNCERTAIN: f64 = 9.0;
 /// The edges of a crease bend by this part of the angle between the planes beside it: elsewhere the bends are not on the chain.
+/// Half: of 60 parts none changes, of 80 regions of four scans 24 have ends in place of 5; double: 53 parts have none.
 const OF_EDGES: f64 = 0.6;
 /// So many edges tell a crease; of fewer, before a corner, more certainty is asked in proportion.
+/// Half: of 60 parts none changes; double: 2 change, and 2 of 80 regions of scans have ends in place of 5.
 const LONG: usize = 5;
 /// Along them its angle, where it is certain, is no less than this part of that at the boundary: else it is a fold that runs out.
+/// Half: none of 60 parts and 80 regions of scans changes; double: 53 parts have no ends.
 const LASTS: f64 = 0.7;
 /// Fewer edges of a chain tell no curvature.
+/// Half or double, of 60 parts: none changes.
 const STRAIGHT: usize = 4;
 /// A curvature of fewer standard errors is none.
+/// Half or double, of 60 parts: none changes.
 const BENT: f64 = 6.0;
 /// A chain turns by no more than this from edge to edge, degrees.
 const TURN: f64 = 50.0;
