@@ -161,6 +161,14 @@ impl Outcome {
         matches!(self, Outcome::Converged)
     }
 
+    /// A success becomes one with a reservation: a sharp edge stops at the boundary.
+    pub(crate) fn reserve_edge(&mut self) {
+        if self.is_success() {
+            let reason = LooseReason::SharpEdge;
+            *self = Self::ConvergedLoosely { reason };
+        }
+    }
+
     /// Tolerance met, with whatever reservation.
     pub(crate) fn is_tolerance_met(&self) -> bool {
         matches!(

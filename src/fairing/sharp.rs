@@ -13,7 +13,6 @@ use super::component_solution::ComponentSolution;
 use super::normals::GivenNormals;
 use super::options::Options;
 use super::prepared::Prepared;
-use super::report::{LooseReason, Outcome};
 use super::sharp_edge::{CreaseEnd, SharpEdge, SharpFate};
 use crate::mesh::coincident::Coincident;
 use crate::mesh::numbering::Numbering;
@@ -68,16 +67,12 @@ impl SharpEdges {
 
     /// Has reservations about components where an edge as wide as a crease along the boundary does not go on.
     pub(super) fn judge(&self, components: &mut [ComponentSolution]) {
-        let stopped = self.told.iter().filter(|edge| edge.vertices.is_empty());
-        let ends = stopped.flat_map(|edge| &edge.ends);
-        for end in ends.filter(|end| end.is_wide()) {
+        let stopped = self.told.iter().filter(|edge| edge.stops_wide());
+        for end in stopped.flat_map(|edge| &edge.ends) {
             let has_it =
                 |of: &&mut ComponentSolution| of.boundary_normals.iter().any(|(v, _)| *v == end.vertex);
             for of in components.iter_mut().filter(has_it) {
-                if of.report.outcome.is_success() {
-                    let reason = LooseReason::SharpEdge;
-                    of.report.outcome = Outcome::ConvergedLoosely { reason };
-                }
+                of.report.outcome.reserve_edge();
             }
         }
     }
@@ -106,7 +101,7 @@ fn follow(
         };
         told.push(SharpEdge {
             ends: group.ends.iter().map(|&e| own[e].clone()).collect(),
-            fate: fate(&group, paths.is_some()),
+            fate: SharpFate::of(group.branches.len(), paths.is_some()),
             vertices: vertices(paths.as_deref().unwrap_or_default()),
         });
         let followed = group.branches.into_iter().zip(paths.into_iter().flatten());
@@ -117,15 +112,6 @@ fn follow(
 fn vertices(paths: &[Path]) -> Vec<u32> {
     let all = paths.iter().flat_map(|path| &path.vertices);
     all.copied().collect()
-}
-
-fn fate(group: &Group, has_paths: bool) -> SharpFate {
-    match (group.branches.len(), has_paths) {
-        (0, _) => SharpFate::Alone,
-        (_, false) => SharpFate::NoPath,
-        (1, true) => SharpFate::GoesOn,
-        (_, true) => SharpFate::Corner,
-    }
 }
 
 /// Which of so many vertices are free in any of the regions.

@@ -25,11 +25,6 @@ pub struct CreaseEnd {
 impl CreaseEnd {
     /// An edge that bends by less than this part of the angle asked for is in no crease.
     pub(crate) const FIRST_BEND: f64 = 0.5;
-
-    /// Whether it is as wide as a crease along the boundary that is no success.
-    pub(crate) fn is_wide(&self) -> bool {
-        self.angle.abs() > KINK
-    }
 }
 
 choices! {
@@ -55,4 +50,23 @@ pub struct SharpEdge {
     /// The vertices along the creases, from end to end, or from each end to the corner one after the other; empty where it does not go on. Those
     /// that were free have been placed on the creases.
     pub vertices: Vec<u32>,
+}
+
+impl SharpEdge {
+    /// Whether it does not go on, though an end of it is as wide as a crease along the boundary that is no success.
+    pub(crate) fn stops_wide(&self) -> bool {
+        self.vertices.is_empty() && self.ends.iter().any(|end| end.angle.abs() > KINK)
+    }
+}
+
+impl SharpFate {
+    /// Of ends with so many branches between them: none, one, or three to a corner.
+    pub(crate) fn of(branches: usize, is_followed: bool) -> Self {
+        match (branches, is_followed) {
+            (0, _) => Self::Alone,
+            (_, false) => Self::NoPath,
+            (1, true) => Self::GoesOn,
+            (_, true) => Self::Corner,
+        }
+    }
 }

@@ -4,7 +4,7 @@ use super::crossing::Neighbours;
 use super::options::OnFailure;
 use super::outcome::{FillOutcome, OpenReason, has_no_area};
 use super::patch::Patch;
-use crate::fairing::{BoundaryCrease, CreaseEnd, LooseReason, Outcome, ProgressCallback, SharpEdge};
+use crate::fairing::{BoundaryCrease, ProgressCallback, SharpEdge};
 use crate::holes::patch_surface::{PatchSurface, Task};
 
 /// What patches are looked at for.
@@ -30,11 +30,10 @@ impl Check<'_, '_> {
 impl PatchSurface {
     /// Where a wide sharp edge stops, it is no success.
     fn judge_edges(&mut self) {
-        let Some(report) = &mut self.fairing else { return };
-        let mut stopped = report.sharp_edges.iter().filter(|edge| edge.vertices.is_empty());
-        if report.outcome.is_success() && stopped.any(|edge| edge.ends.iter().any(CreaseEnd::is_wide)) {
-            let reason = LooseReason::SharpEdge;
-            report.outcome = Outcome::ConvergedLoosely { reason };
+        if let Some(report) = &mut self.fairing
+            && report.sharp_edges.iter().any(SharpEdge::stops_wide)
+        {
+            report.outcome.reserve_edge();
         }
     }
 

@@ -88,6 +88,7 @@ pub(super) fn divide(
     let run = Division {
         around,
         parted: &parted,
+        half_edges: half_edges(around),
         near: of.iter().flat_map(|crease| crease.near.iter().copied()).collect(),
         new: &new,
     };
@@ -311,8 +312,17 @@ fn between(polygon: &[Corner], [a, b]: [usize; 2], way: Vec<Corner>, beside: &[C
 struct Division<'a> {
     around: &'a Surroundings,
     parted: &'a Parted,
+    /// The triangles of edges between vertices of the loop, and the corners where these begin.
+    half_edges: HashMap<[u32; 2], (usize, usize)>,
     near: HashMap<u32, [f64; 3]>,
     new: &'a [CreaseVertex],
+}
+
+fn half_edges(around: &Surroundings) -> HashMap<[u32; 2], (usize, usize)> {
+    let all = (0..).zip(&around.triangles);
+    let edges = all.flat_map(|(t, tri)| (0..3).map(move |k| ([tri[k], tri[(k + 1) % 3]], (t, k))));
+    let is_of_loop = |v: &u32| (*v as usize) < around.loop_vertices;
+    edges.filter(|(ends, _)| ends.iter().all(is_of_loop)).collect()
 }
 
 impl Division<'_> {
@@ -389,11 +399,9 @@ impl Division<'_> {
 
     /// The corners in the parted mesh of the triangle outside an edge of the loop.
     fn outside(&self, from: u32, to: u32) -> Option<[u32; 2]> {
-        let both = self.around.triangles.iter().zip(&self.parted.triangles);
-        both.into_iter().find_map(|(tri, parted)| {
-            let k = (0..3).find(|&k| [tri[(k + 1) % 3], tri[k]] == [from, to])?;
-            Some([parted[(k + 1) % 3], parted[k]])
-        })
+        let &(t, k) = self.half_edges.get(&[to, from])?;
+        let parted = self.parted.triangles[t];
+        Some([parted[(k + 1) % 3], parted[k]])
     }
 
     /// Pairs of the side's vertices that the mesh has an edge between.
@@ -415,7 +423,8 @@ impl Division<'_> {
             BoundaryNormals::Fitted | BoundaryNormals::Averaged => &[],
         };
         let own = |(k, corner): (u32, &Corner)| {
-            let given = given.iter().find(|(v, _)| *v == corner.v).map(|(_, n)| *n);
+            let at = given.binary_search_by_key(&corner.v, |entry| entry.0);
+            let given = at.ok().map(|at| given[at].1);
             let normal = corner.normals.map(|[own, _]| own.into()).or(given);
             Some((k, normal.or_else(|| self.near.get(&corner.v).copied())?))
         };

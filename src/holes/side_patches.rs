@@ -53,6 +53,7 @@ impl Task<'_> {
     ) -> Option<PatchSurface> {
         let divided = divide(self.surroundings, &self.options, creases, length)?;
         let count = divided.sides.len() as f64;
+        let mut left = self.most.checked_sub(divided.new.len())?;
         let mut pieces = Vec::new();
         for (k, side) in (0..).zip(&divided.sides) {
             let mut tell = |progress: &Progress| {
@@ -65,6 +66,7 @@ impl Task<'_> {
                 surroundings: &side.around,
                 options: side.options.clone(),
                 unfaired: None,
+                most: left,
                 ..*self
             };
             let piece = task.run(&mut tell);
@@ -74,6 +76,7 @@ impl Task<'_> {
             if piece.is_open() || !piece.is_sound() {
                 return None;
             }
+            left = left.saturating_sub(piece.positions.len());
             pieces.push(piece);
         }
         let mut piece = self.together(&divided, pieces);
@@ -84,6 +87,14 @@ impl Task<'_> {
         Some(piece)
     }
 
+    /// The curvature in the unit of the mesh.
+    fn in_units(&self, end: &CreaseEnd) -> CreaseEnd {
+        CreaseEnd {
+            curvature: end.curvature.map(|k| k / self.surroundings.scale()),
+            ..end.clone()
+        }
+    }
+
     /// What became of creases, in the numbers of a report: vertices of the surroundings, then new ones.
     pub(super) fn told(&self, creases: &[BoundaryCrease], followed: &[(usize, Vec<u32>)]) -> Vec<SharpEdge> {
         let known = (self.surroundings.x.len() - self.surroundings.loop_vertices) as u32;
@@ -92,13 +103,8 @@ impl Task<'_> {
         let told = |(i, crease): (usize, &BoundaryCrease)| {
             let vertices = followed.iter().find(|(f, _)| *f == i).map(|(_, v)| v);
             SharpEdge {
-                ends: crease.ends.clone(),
-                fate: match (crease.branches.len(), vertices) {
-                    (0, _) => SharpFate::Alone,
-                    (_, None) => SharpFate::NoPath,
-                    (1, _) => SharpFate::GoesOn,
-                    _ => SharpFate::Corner,
-                },
+                ends: crease.ends.iter().map(|end| self.in_units(end)).collect(),
+                fate: SharpFate::of(crease.branches.len(), vertices.is_some()),
                 vertices: vertices
                     .map(|v| v.iter().map(number).collect())
                     .unwrap_or_default(),

@@ -324,3 +324,31 @@ fn smooth_holes_keep_their_bits() {
     assert_eq!(with.positions, without.positions);
     assert_eq!(with.triangles, without.triangles);
 }
+
+/// A divided hole keeps to the limit on new vertices, or is closed as others are; the curvature of its ends is in the unit of the mesh.
+#[test]
+fn divided_holes_keep_limits_and_units() {
+    let mut shape = with_hole(Creased::CappedCylinder, PLACES[0], EDGE, 1);
+    shape.positions.iter_mut().flatten().for_each(|x| *x *= 8.0);
+    let loops = boundary_loops(&shape.positions, &shape.triangles).unwrap();
+    let shortest = (0..loops.len()).min_by(|&a, &b| loops[a].length.total_cmp(&loops[b].length));
+    for most in [0, 3, 30, 60, 1_000] {
+        let asked = FillOptions {
+            loops: Loops::Chosen(vec![shortest.unwrap()]),
+            max_new_vertices: most,
+            fairing: sharp_options(),
+            ..FillOptions::default()
+        };
+        let filled = fill_holes(&shape.positions, &shape.triangles, &asked).unwrap();
+        assert!(filled.positions.len() - shape.positions.len() <= most, "{most}");
+        let fairing = filled.loops.last().unwrap().fairing.as_ref();
+        for end in fairing
+            .iter()
+            .flat_map(|report| &report.sharp_edges)
+            .flat_map(|edge| &edge.ends)
+        {
+            let curvature = end.curvature.iter().map(|k| k * k).sum::<f64>().sqrt();
+            assert!((curvature - 1.0 / 8.0).abs() < 0.02, "{curvature}");
+        }
+    }
+}
