@@ -149,6 +149,17 @@ pub(crate) fn creases_around(
     grouped(&ends, positions).into_iter().map(crease).collect()
 }
 
+/// Whether an edge at such a boundary bends so much that it may be one of a crease.
+pub(crate) fn may_be_creased(
+    (positions, triangles): (&[[f64; 3]], &[[u32; 3]]),
+    is_boundary: Vec<bool>,
+    least: f64,
+) -> bool {
+    let outside = Outside::around(positions, triangles, is_boundary);
+    let mut vertices = 0..positions.len() as u32;
+    vertices.any(|v| outside.is_boundary[v as usize] && !ends::bent(&outside, v, least).is_empty())
+}
+
 /// Ends that belong together.
 pub(crate) struct BoundaryCrease {
     pub(crate) ends: Vec<CreaseEnd>,

@@ -22,11 +22,6 @@ pub struct CreaseEnd {
     pub chain: Vec<u32>,
 }
 
-impl CreaseEnd {
-    /// An edge that bends by less than this part of the angle asked for is in no crease.
-    pub(crate) const FIRST_BEND: f64 = 0.5;
-}
-
 choices! {
     /// What became of ends of creases that belong together.
     #[non_exhaustive]

@@ -1,45 +1,34 @@
 //! The patch of a loop that creases divide: those of its sides, together.
 
-use std::collections::HashMap;
-
-use nalgebra::Vector3;
-
 use super::divided::{CreaseVertex, DividedLoop, Side, divide};
 use super::outcome::{FillOutcome, FlatReason, OpenReason, renumber};
 use super::parents::{Parents, compose};
 use super::surroundings::Surroundings;
-use crate::discrete::boundary_normals::angle;
 use crate::fairing::{
     BoundaryCrease, CreaseEnd, Options, Progress, ProgressCallback, SharpEdge, SharpFate, creases_around,
+    may_be_creased,
 };
 use crate::holes::patch_surface::{PatchSurface, Task};
 
 impl Surroundings {
     /// The creases at the loops.
     pub(super) fn creases(&self, options: &Options) -> Vec<BoundaryCrease> {
-        let positions: Vec<[f64; 3]> = self.x.iter().map(|&p| p.into()).collect();
-        let is_boundary = (0..self.x.len()).map(|v| v < self.loop_vertices).collect();
-        creases_around((&positions, &self.triangles), is_boundary, options)
+        let positions = self.positions();
+        creases_around((&positions, &self.triangles), self.is_boundary(), options)
     }
 
     /// Whether an edge at the loops bends so much that it may be one of them.
     pub(super) fn may_be_creased(&self, least: f64) -> bool {
-        let normal = |tri: &[u32; 3]| {
-            let [a, b, c] = tri.map(|v| self.x[v as usize]);
-            (b - a).cross(&(c - a))
-        };
-        let mut of_edges: HashMap<[u32; 2], Vector3<f64>> = HashMap::new();
-        let mut bends = |tri: &[u32; 3], [a, b]: [u32; 2]| {
-            if (a.min(b) as usize) >= self.loop_vertices {
-                return false;
-            }
-            let own = normal(tri);
-            let other = of_edges.insert([a.min(b), a.max(b)], own);
-            let bend = other.map_or(0.0, |other| angle(&own, &other).to_degrees());
-            bend >= CreaseEnd::FIRST_BEND * least
-        };
-        let mut triangles = self.triangles.iter();
-        least > 0.0 && triangles.any(|tri| (0..3).any(|k| bends(tri, [tri[k], tri[(k + 1) % 3]])))
+        let positions = self.positions();
+        least > 0.0 && may_be_creased((&positions, &self.triangles), self.is_boundary(), least)
+    }
+
+    fn positions(&self) -> Vec<[f64; 3]> {
+        self.x.iter().map(|&p| p.into()).collect()
+    }
+
+    fn is_boundary(&self) -> Vec<bool> {
+        (0..self.x.len()).map(|v| v < self.loop_vertices).collect()
     }
 }
 

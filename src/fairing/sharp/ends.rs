@@ -32,6 +32,8 @@ const STRAIGHT: usize = 4;
 /// A curvature of fewer standard errors is none.
 /// Half or double, of 60 parts: none changes.
 const BENT: f64 = 6.0;
+/// An edge that bends by less than this part of the angle asked for is in no chain.
+const FIRST_BEND: f64 = 0.5;
 /// A chain turns by no more than this from edge to edge, degrees.
 const TURN: f64 = 50.0;
 
@@ -51,14 +53,20 @@ pub(super) fn normals_near(outside: &Outside<'_>, ends: &[&CreaseEnd], least: f6
 
 /// The crease that arrives at a boundary vertex; `None` also where several do: a corner.
 fn end_at(outside: &Outside<'_>, v: u32, least: f64) -> Option<CreaseEnd> {
-    let bends = |w: &u32| outside.bend(v, *w).abs() >= CreaseEnd::FIRST_BEND * least;
-    let first = outside.neighbours(v).into_iter().filter(bends);
+    let first = bent(outside, v, least).into_iter();
     let chains = first.map(|w| chain(outside, v, w, least));
     // An edge alone between boundary vertices leads into the region.
     let chains = chains.filter(|chain| chain.len() > 2 || !outside.is_boundary[chain[1] as usize]);
     let mut ends = chains.filter_map(|chain| along(outside, chain, least));
     let end = ends.next()?;
     ends.next().is_none().then_some(end)
+}
+
+/// Where the edges at a vertex lead to that may be in a chain.
+pub(super) fn bent(outside: &Outside<'_>, v: u32, least: f64) -> Vec<u32> {
+    let mut others = outside.neighbours(v);
+    others.retain(|w| outside.bend(v, *w).abs() >= FIRST_BEND * least);
+    others
 }
 
 /// The end of a crease along these edges, if there is one.
@@ -172,8 +180,7 @@ fn chain(outside: &Outside<'_>, v: u32, w: u32, least: f64) -> Vec<u32> {
             let step = (outside.position(next) - outside.position(last)).normalize();
             let straight = step.dot(&direction);
             let bend = outside.bend(last, next) * sign;
-            (straight > straightest && bend >= CreaseEnd::FIRST_BEND * least)
-                .then_some((straight * bend, next))
+            (straight > straightest && bend >= FIRST_BEND * least).then_some((straight * bend, next))
         };
         let neighbours = outside.neighbours(last).into_iter().filter_map(sharpness);
         match neighbours.max_by(|a, b| a.0.total_cmp(&b.0)) {
