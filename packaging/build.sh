@@ -46,8 +46,11 @@ build() {
         triple=$triple.$GLIBC
         ;;
     macos-*) [ "$(uname -s)" = Darwin ] || install_apple_linker "$triple" ;;
-    # All browsers have it since 2023, Node since 16.4. A third less time, and the same bits.
-    wasm32) RUSTFLAGS="$RUSTFLAGS -C target-feature=+simd128" ;;
+    # All browsers have SIMD since 2023, Node since 16.4: a third less time, and the same bits. Optimized as one, gzipped it is 5 % smaller.
+    wasm32)
+        RUSTFLAGS="$RUSTFLAGS -C target-feature=+simd128"
+        command+=(--config 'profile.release.lto="fat"')
+        ;;
     windows-*)
         need x86_64-w64-mingw32-gcc gcc-mingw-w64-x86-64
         RUSTFLAGS="$RUSTFLAGS -C link-arg=-Wl,--no-insert-timestamp"
