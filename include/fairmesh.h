@@ -1873,7 +1873,7 @@ typedef struct fairmesh_options {
      */
     void *user_data;
     /**
-     * Creases of the surroundings of at least so many degrees that reach the boundary go on through the region, if another one fits there: vertices are placed along them, and each side is a surface of its own. Default 0: none goes on. Not for fairing in steps.
+     * Creases of the surroundings of at least so many degrees that reach the boundary go on through the region, if another one fits there: vertices are placed along them, and each side is a surface of its own. Default auto: those that are certain. 0: none. Not for fairing in steps.
      */
     double sharp;
 } fairmesh_options;

@@ -54,7 +54,7 @@ pub struct fairmesh_options {
     pub progress: fairmesh_progress_fn,
     /// Handed to `progress`.
     pub user_data: *mut c_void,
-    /// Creases of the surroundings of at least so many degrees that reach the boundary go on through the region, if another one fits there: vertices are placed along them, and each side is a surface of its own. Default 0: none goes on. Not for fairing in steps.
+    /// Creases of the surroundings of at least so many degrees that reach the boundary go on through the region, if another one fits there: vertices are placed along them, and each side is a surface of its own. Default auto: those that are certain. 0: none. Not for fairing in steps.
     pub sharp: f64,
 }
 
@@ -79,7 +79,7 @@ impl fairmesh_options {
             max_iterations: 500,
             progress: None,
             user_data: core::ptr::null_mut(),
-            sharp: 0.0,
+            sharp: 20.0,
         }
     }
 

@@ -136,13 +136,15 @@ options! {
         /// Whether vertices at the same place are one. Default: yes, where their coordinates are equal.
         coincident: Coincident = Coincident::default(), elsewhere;
         /// Creases of the surroundings of at least so many degrees that reach the boundary go on through the region, if another one fits there:
-        /// vertices are placed along them, and each side is a surface of its own. Default 0: none goes on. Not for fairing in steps.
-        sharp: f64 = 0.0, real "degrees" in 0.0..=180.0, "between 0 and 180";
+        /// vertices are placed along them, and each side is a surface of its own. Default auto: those that are certain. 0: none. Not for
+        /// fairing in steps.
+        sharp: f64 = Self::SHARP_AUTO, real "degrees" in 0.0..=180.0, "between 0 and 180";
     }
 }
 
 impl Options {
-    /// The value of `sharp` at which only edges that are certain go on, degrees: less than those of 30 on parts. Half or double, of 33 regions across
+    /// The value of `sharp` at which only edges that are certain go on, degrees: less than those of 30 on parts, more than 50 beside strips of single
+    /// triangles, which may be the facets of something round. Half or double, of 33 regions across
     /// edges of parts: 1 changes; none changes.
     pub const SHARP_AUTO: f64 = 20.0;
 

@@ -1,8 +1,8 @@
 //! Holes are told from outer boundaries, with noise too.
 
 use fairmesh::{
-    Cap, FillOptions, FillOutcome, FlatReason, LoopKind, LoopReport, Loops, OnFailure, boundary_loops,
-    fill_holes,
+    Cap, FillOptions, FillOutcome, FlatReason, LoopKind, LoopReport, Loops, OnFailure, Outcome, SharpFate,
+    boundary_loops, fill_holes,
 };
 use fairmesh_shapes::{Sampling, sphere_with_hole};
 
@@ -109,16 +109,34 @@ fn a_sheet_without_holes_is_not_filled_successfully() {
     assert_eq!([*x, *t], [900, 29 * 29 * 2]);
 }
 
-/// A hole across the edge of a cube gets a creased patch, or none that is fair.
+/// A hole across an edge that may not go on gets a creased patch, or none that is fair.
 #[test]
 fn a_patch_across_a_sharp_edge_is_no_success() {
     let (x, t) = roof(0.9);
-    let filled = fill_holes(&x, &t, &FillOptions::default()).unwrap();
+    let mut options = FillOptions::default();
+    options.fairing.sharp = 0.0;
+    let filled = fill_holes(&x, &t, &options).unwrap();
     let hole = filled
         .loops
         .iter()
         .find(|l| !matches!(l.outcome, FillOutcome::LeftOpen(_)));
     assert!(!hole.unwrap().is_success() && !filled.is_success(), "{hole:?}");
+}
+
+/// Two edges around a strip of one triangle, one as certain as the other: both go on, in whatever way the rounding falls.
+#[test]
+fn a_narrow_strip_between_two_edges_goes_on() {
+    for half in [0.4, 0.9] {
+        let (x, t) = roof(half);
+        let filled = fill_holes(&x, &t, &FillOptions::default()).unwrap();
+        let report = filled.loops.iter().find_map(|l| l.fairing.as_ref()).unwrap();
+        assert_eq!(report.outcome, Outcome::Converged);
+        assert_eq!(report.sharp_edges.len(), 2);
+        assert_all!(report.sharp_edges.iter(), |edge| edge.fate == SharpFate::GoesOn);
+        for [_, q, height] in &filled.positions[900..] {
+            assert_near!(*height, -3.0 * q.abs().max(0.5 / 14.5), 1e-9);
+        }
+    }
 }
 
 /// A square with a slit of three vertices on a line, and the loop around it.
@@ -178,6 +196,7 @@ fn what_is_no_success_stays_open_if_asked() {
                 ..FillOptions::default()
             };
             (options.fairing.max_iterations, options.rim.relax) = (max_iterations, relax);
+            options.fairing.sharp = 0.0;
             fill_holes(&x, &t, &options).unwrap()
         };
         let [linear, flat, open] = [OnFailure::Best, OnFailure::Flat, OnFailure::Open].map(with);

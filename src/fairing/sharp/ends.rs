@@ -7,9 +7,9 @@
 use nalgebra::{Matrix2, Matrix2x3, Vector2, Vector3};
 
 use super::outside::Outside;
-use super::sides::{AROUND, Sides};
+use super::sides::{AROUND, SideFit, Sides};
 use crate::discrete::boundary_normals::angle;
-use crate::discrete::outside_fit::Fit;
+use crate::fairing::options::Options;
 use crate::fairing::sharp_edge::CreaseEnd;
 
 /// So many standard errors of the fits are no chance: with half as many, 26 of 80 regions of four scans have ends. Of ten right angles in noise of a
@@ -32,6 +32,10 @@ const STRAIGHT: usize = 4;
 /// A curvature of fewer standard errors is none.
 /// Half or double, of 60 parts: none changes.
 const BENT: f64 = 6.0;
+/// Where a side is one strip of triangles, its facets may be those of something round: only wider ones are taken for planes unless less is asked for,
+/// degrees: between an octagon's and a hexagon's. Half: tubes of 10 and 12 sides have an edge at every vertex; double: two edges of 72 degrees around
+/// a strip of one triangle are not found.
+const FACETS: f64 = 52.5;
 /// An edge that bends by less than this part of the angle asked for is in no chain.
 const FIRST_BEND: f64 = 0.5;
 /// A chain turns by no more than this from edge to edge, degrees.
@@ -84,7 +88,7 @@ fn along(outside: &Outside<'_>, chain: Vec<u32>, least: f64) -> Option<CreaseEnd
     // With larger errors an angle is not certain that these bends allow.
     let most = bend.abs() / OF_EDGES / significant;
     let here = fold(&chain[..2], most.to_radians());
-    let here = here.filter(|fold| fold.is_certain(significant) && fold.angle.abs() >= least)?;
+    let here = here.filter(|fold| fold.is_certain(significant) && fold.is_wide(least))?;
     let lasts = |fold: Option<Fold>| {
         fold.is_some_and(|fold| {
             !fold.is_certain(SIGNIFICANT) || fold.angle * here.angle.signum() >= LASTS * here.angle.abs()
@@ -146,11 +150,14 @@ struct Fold {
     normals: [Vector3<f64>; 2],
     angle: f64,
     error: f64,
+    has_facet: bool,
 }
 
 impl Fold {
     /// Between the planes left and right of the direction outward.
-    fn of(fits: [Fit; 2], outward: Vector3<f64>) -> Option<Self> {
+    fn of(sides: [SideFit; 2], outward: Vector3<f64>) -> Option<Self> {
+        let has_facet = sides.iter().any(|side| side.is_facet);
+        let fits = sides.map(|side| side.fit);
         let [left, right] = fits.map(|fit| fit.normal);
         let along = left.cross(&right).try_normalize(1e-9)?;
         let sign = along.dot(&outward).signum();
@@ -159,7 +166,14 @@ impl Fold {
             normals: [right, left],
             angle: sign * angle(&left, &right).to_degrees(),
             error: libm::hypot(fits[0].error, fits[1].error).to_degrees(),
+            has_facet,
         })
+    }
+
+    /// Whether it is as wide as a crease has to be.
+    fn is_wide(&self, least: f64) -> bool {
+        let of_facets = self.has_facet && least == Options::SHARP_AUTO;
+        self.angle.abs() >= if of_facets { FACETS } else { least }
     }
 
     /// Whether it is more than so many standard errors.
@@ -191,7 +205,8 @@ fn chain(outside: &Outside<'_>, v: u32, w: u32, least: f64) -> Vec<u32> {
     chain
 }
 
-/// Of ends that are within two edges of each other's chains the one that is farthest in, or else the most certain one.
+/// Of ends of one fold that are within two edges of each other's chains the one that is farthest in, or else the most certain one. Those on both
+/// sides of a narrow strip are two folds.
 fn without_doubles(outside: &Outside<'_>, ends: Vec<CreaseEnd>) -> Vec<CreaseEnd> {
     let certainty = |end: &CreaseEnd| end.angle.abs() / end.error.max(1e-9);
     let near = |end: &CreaseEnd| {
@@ -202,13 +217,21 @@ fn without_doubles(outside: &Outside<'_>, ends: Vec<CreaseEnd>) -> Vec<CreaseEnd
     };
     let near: Vec<Vec<u32>> = ends.iter().map(near).collect();
     let meet = |i: usize, j: usize| near[i].iter().any(|v| near[j].binary_search(v).is_ok());
+    let is_one_fold = |i: usize, j: usize| {
+        let half = 0.5 * ends[i].angle.abs().min(ends[j].angle.abs());
+        let apart = |side: usize| {
+            let [a, b] = [i, j].map(|end| Vector3::from(ends[end].normals[side]));
+            angle(&a, &b).to_degrees()
+        };
+        apart(0).max(apart(1)) < half
+    };
     let is_best = |&i: &usize| {
         let better = |j: usize| {
             let [is_beyond, goes_beyond] =
                 [(i, j), (j, i)].map(|(a, b)| ends[b].chain.contains(&ends[a].vertex));
             is_beyond || !goes_beyond && certainty(&ends[j]) > certainty(&ends[i])
         };
-        !(0..ends.len()).any(|j| j != i && meet(i, j) && better(j))
+        !(0..ends.len()).any(|j| j != i && meet(i, j) && is_one_fold(i, j) && better(j))
     };
     (0..ends.len()).filter(is_best).map(|i| ends[i].clone()).collect()
 }
@@ -240,6 +263,40 @@ mod tests {
                     assert_near!(end.direction[0].abs(), 1.0, 1e-12);
                 }
             }
+        }
+    }
+
+    /// A tube of so many strips of triangles, and which vertices of it are free: those of its middle, around.
+    fn tube(sides: u32) -> Shape {
+        let at = |v: u32| {
+            let turn = std::f64::consts::TAU / f64::from(sides);
+            let (sin, cos) = libm::sincos(f64::from(v % sides) * turn);
+            [cos, sin, f64::from(v / sides) * turn]
+        };
+        let quads = (0..12).flat_map(|i| (0..sides).map(move |j| [i, j].map(|k| (k, (k + 1) % sides))));
+        let triangles = quads.flat_map(|[(i, _), (j, next)]| {
+            let [a, b, c, d] = [
+                i * sides + j,
+                i * sides + next,
+                (i + 1) * sides + next,
+                (i + 1) * sides + j,
+            ];
+            [[a, b, c], [a, c, d]]
+        });
+        let count = 13 * sides;
+        let mut shape = plate(100, Sampling::Regular);
+        shape.positions = (0..count).map(at).collect();
+        shape.triangles = triangles.collect();
+        shape.free = (0..count).map(|v| (5..8).contains(&(v / sides))).collect();
+        shape
+    }
+
+    #[test]
+    fn facets_of_something_round_have_no_edges_but_where_they_are_asked_for() {
+        for (sides, least, count) in [(12, 20.0, 0), (8, 20.0, 0), (6, 20.0, 12), (12, 25.0, 24)] {
+            let shape = tube(sides);
+            let outside = Outside::new(&shape.positions, &shape.triangles, &shape.free);
+            assert_eq!(crease_ends(&outside, least).len(), count, "{sides} {least}");
         }
     }
 

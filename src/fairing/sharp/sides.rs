@@ -25,6 +25,13 @@ const FEWEST: usize = 4;
 /// is off by 8e-4 radii in place of 1e-4.
 const FLAT: f64 = 1e-4;
 
+/// The tangent plane on one side.
+pub(super) struct SideFit {
+    pub(super) fit: Fit,
+    /// It is known from the nearest triangles alone: a facet, maybe of a round side.
+    pub(super) is_facet: bool,
+}
+
 /// A neighbourhood, parted along a chain of edges, in numbers of its own.
 pub(super) struct Sides {
     /// The mesh's number of each vertex; copies have that of what they are copies of.
@@ -58,13 +65,13 @@ impl Sides {
     }
 
     /// The fits at `from` left and right of the edge to `to`; `None` where a side cannot be told, or with an error of more than `most`, radians.
-    pub(super) fn fits(&self, from: u32, to: u32, most: f64) -> Option<[Fit; 2]> {
+    pub(super) fn fits(&self, from: u32, to: u32, most: f64) -> Option<[SideFit; 2]> {
         let left = self.copy_at(from, |tri, k| tri[(k + 1) % 3], to)?;
         let right = self.copy_at(from, |tri, k| tri[(k + 2) % 3], to)?;
         if left == right {
             return None;
         }
-        let fit = |v: u32| self.fit(v).filter(|fit| fit.error <= most);
+        let fit = |v: u32| self.fit(v).filter(|side| side.fit.error <= most);
         Some([fit(left)?, fit(right)?])
     }
 
@@ -74,7 +81,7 @@ impl Sides {
         near.retain(|v| outside.is_boundary[*v as usize] && !chain.contains(v));
         let normal = |v: u32| {
             let local = self.ids.iter().position(|id| *id == v)?;
-            Some((v, self.fit(local as u32)?.normal.into()))
+            Some((v, self.fit(local as u32)?.fit.normal.into()))
         };
         near.into_iter().filter_map(normal).collect()
     }
@@ -91,12 +98,18 @@ impl Sides {
     /// The plane of all triangles around, if they have one, as those of parts, whose next edge may be near; else the fit to heights, which noise
     /// does not lead astray, or that to curvatures, if it is more certain and agrees with it. Where that is uncertain, as beside another edge, the
     /// plane of the nearest triangles: not else, as it may be a facet of a round side.
-    fn fit(&self, v: u32) -> Option<Fit> {
+    fn fit(&self, v: u32) -> Option<SideFit> {
         let start = average(&self.x, v as usize, &self.fan(v))?;
         let [plane, narrow] = self.planes(v, start);
-        if plane.is_some() {
-            return plane;
+        let fit = plane.or_else(|| self.fit_to_rings(v, start, narrow.is_some()));
+        match fit {
+            Some(fit) => Some(SideFit { fit, is_facet: false }),
+            None => narrow.map(|fit| SideFit { fit, is_facet: true }),
         }
+    }
+
+    /// The fit to many rings; `None` also where a plane of the nearest triangles is more certain.
+    fn fit_to_rings(&self, v: u32, start: Vector3<f64>, has_plane: bool) -> Option<Fit> {
         let mut heights = EightRingSamples::default();
         // Noise and thin sectors need more vertices.
         let coarse = [RINGS, RINGS_WIDE].into_iter().filter_map(|rings| {
@@ -104,9 +117,7 @@ impl Sides {
             heights.fit(start)
         });
         let coarse = coarse.reduce(|a, b| if b.error < a.error { b } else { a });
-        let Some(coarse) = coarse.filter(|fit| narrow.is_none() || fit.error < SMOOTH) else {
-            return narrow;
-        };
+        let coarse = coarse.filter(|fit| !has_plane || fit.error < SMOOTH)?;
         if coarse.error >= SMOOTH {
             return Some(coarse);
         }
