@@ -956,7 +956,7 @@ enum fairmesh_sharp_fate
      */
     FAIRMESH_SHARP_FATE_GOES_ON = 0,
     /**
-     * Three creases go on to a corner in the region.
+     * Creases go on to a corner in the region, or to two that a crease joins.
      */
     FAIRMESH_SHARP_FATE_CORNER = 1,
     /**

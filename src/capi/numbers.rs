@@ -274,7 +274,7 @@ pub enum fairmesh_gap_kind {
 pub enum fairmesh_sharp_fate {
     /// The crease goes on through the region, from end to end.
     GoesOn = 0,
-    /// Three creases go on to a corner in the region.
+    /// Creases go on to a corner in the region, or to two that a crease joins.
     Corner = 1,
     /// No other end fits it: the region is smooth there.
     Alone = 2,

@@ -1,6 +1,7 @@
 //! Sharp edges that reach the boundary of a region: boundary data, which goes on inside.
 
 mod branch;
+mod corners;
 mod curve;
 mod ends;
 mod groups;
@@ -19,7 +20,7 @@ use crate::mesh::numbering::Numbering;
 use crate::mesh::selection::Selection;
 use crate::mesh::{Joined, RegionMesh};
 use crate::support::error::Error;
-pub(crate) use branch::Branch;
+pub(crate) use branch::{Branch, Knot};
 use groups::{Group, grouped};
 use outside::Outside;
 use parting::{Followed, PartedProblem};
@@ -163,7 +164,7 @@ pub(crate) fn may_be_creased(
 /// Ends that belong together.
 pub(crate) struct BoundaryCrease {
     pub(crate) ends: Vec<CreaseEnd>,
-    /// One between two ends, or three to a corner; none of an end alone.
+    /// From end to end, to corners and between them; none of an end alone.
     pub(crate) branches: Vec<Branch>,
     /// Normals at boundary vertices beside the ends.
     pub(crate) near: Vec<(u32, [f64; 3])>,

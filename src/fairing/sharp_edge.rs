@@ -27,7 +27,7 @@ choices! {
     #[non_exhaustive]
     SharpFate {
         0 "goes_on" GoesOn => "the crease goes on through the region, from end to end", "";
-        1 "corner" Corner => "three creases go on to a corner in the region", "";
+        1 "corner" Corner => "creases go on to a corner in the region, or to two that a crease joins", "";
         2 "alone" Alone => "no other end fits it: the region is smooth there",
             "select so much that the crease ends outside, or leaves the region again";
         3 "no_path" NoPath => "no path of edges can follow the crease: the region is smooth there",
@@ -38,11 +38,12 @@ choices! {
 /// Ends of creases that belong together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SharpEdge {
-    /// One, two or three.
+    /// One, two, or as many as meet in a corner; four with two corners.
     pub ends: Vec<CreaseEnd>,
     /// What became of them.
     pub fate: SharpFate,
-    /// The vertices along the creases, from end to end, or from each end to the corner one after the other; empty where it does not go on. Those
+    /// The vertices along the creases, from end to end, or from each end to its corner one after the other, and from
+    /// corner to corner; empty where it does not go on. Those
     /// that were free have been placed on the creases.
     pub vertices: Vec<u32>,
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use nalgebra::Vector3;
 
 use super::surroundings::Surroundings;
-use crate::fairing::{BoundaryCrease, BoundaryNormals, Branch, CreaseEnd, Options};
+use crate::fairing::{BoundaryCrease, BoundaryNormals, Branch, CreaseEnd, Knot, Options};
 use crate::mesh::NONE;
 use crate::mesh::parted::{Parted, part};
 
@@ -68,11 +68,11 @@ pub(super) fn divide(
             continue;
         }
         let before = new.len();
-        let Some(ways) = ways(around, crease, length, &mut new) else {
+        let ways = ways(around, crease, length, &mut new);
+        let Some(ways) = ways.filter(|ways| split(&mut polygons, ways).is_some()) else {
             new.truncate(before);
             continue;
         };
-        split(&mut polygons, &ways);
         let along = ways.iter().flat_map(|way| way.vertices.iter().map(|(v, _)| *v));
         followed.push((i, along.collect()));
         rims.extend(ways.iter().flat_map(Way::rim));
@@ -158,29 +158,23 @@ fn ways(
         new.push(CreaseVertex { x, ends });
         (around.loop_vertices + new.len() - 1) as u32
     };
-    let corner = match &crease.ends[..] {
-        [a, b, c] => {
-            let at = crease.branches[0].at(1.0);
-            let near = |v: &u32| (around.x[*v as usize] - at).norm() < Branch::ON * size;
-            let thirds = [a, b, c].map(|end| (end.vertex, 1.0 / 3.0));
-            let of_loop = (0..around.loop_vertices as u32).find(near);
-            Some(of_loop.unwrap_or_else(|| add(at, thirds)))
-        }
-        _ => None,
+    let corners = corners(around, crease, size, &mut add)?;
+    let parents = |knot: Knot, weight: f64| match knot {
+        Knot::End(vertex) => vec![(vertex, weight)],
+        Knot::Corner(c) => corners[c].1.iter().map(|(v, own)| (*v, own * weight)).collect(),
     };
     let mut way = |branch: &Branch| {
-        let start = farthest(on_crease(around, branch, branch.from, size), 0.0);
-        let end = match branch.to {
-            Some(to) => farthest(on_crease(around, branch, to, size), 1.0),
-            None => vec![(corner?, 1.0)],
+        let at = |knot: Knot, part: f64| match knot {
+            Knot::End(vertex) => farthest(on_crease(around, branch, (vertex, part), size), part),
+            Knot::Corner(c) => vec![(corners[c].0, part)],
         };
+        let (start, end) = (at(branch.from, 0.0), at(branch.to, 1.0));
         let [(first, from), (last, to)] = [start[0], end[0]];
         let steps = ((to - from) * branch.length() / (size * length)).round().max(1.0);
-        let other = branch.to.unwrap_or(branch.from);
         let mut inner = |k: u32| {
             let part = from + (to - from) * f64::from(k) / steps;
-            let ends = [(branch.from, 1.0 - part), (other, part), (other, 0.0)];
-            (add(branch.at(part), ends), part)
+            let of = [parents(branch.from, 1.0 - part), parents(branch.to, part)].concat();
+            (add(branch.at(part), three(&of)), part)
         };
         let mut all = vec![(first, from)];
         if first != last {
@@ -199,15 +193,61 @@ fn ways(
     crease.branches.iter().map(&mut way).collect()
 }
 
+/// Each corner of a crease, and the vertices of the loop whose creases lead there, by their shares. One that is there already is no new vertex;
+/// beside another corner it is none.
+fn corners(
+    around: &Surroundings,
+    crease: &BoundaryCrease,
+    size: f64,
+    add: &mut impl FnMut(Vector3<f64>, [(u32, f64); 3]) -> u32,
+) -> Option<Vec<(u32, Vec<(u32, f64)>)>> {
+    let of = |c: usize| {
+        crease
+            .branches
+            .iter()
+            .filter_map(move |branch| match (branch.from, branch.to) {
+                (Knot::End(vertex), Knot::Corner(to)) if to == c => Some((branch, vertex)),
+                _ => None,
+            })
+    };
+    let count = (0..).take_while(|c| of(*c).next().is_some()).count();
+    let corner = |c: usize| {
+        let ends: Vec<u32> = of(c).map(|(_, end)| end).collect();
+        let shares: Vec<(u32, f64)> = ends.iter().map(|v| (*v, 1.0 / ends.len() as f64)).collect();
+        let at = of(c).next()?.0.at(1.0);
+        let near = |v: &u32| (around.x[*v as usize] - at).norm() < Branch::ON * size;
+        match (0..around.loop_vertices as u32).find(near) {
+            Some(v) => (count == 1).then_some((v, shares)),
+            None => Some((add(at, three(&shares)), shares)),
+        }
+    };
+    (0..count).map(corner).collect()
+}
+
+/// The three largest weights of vertices, of the sum 1.
+fn three(of: &[(u32, f64)]) -> [(u32, f64); 3] {
+    let mut sums: Vec<(u32, f64)> = Vec::new();
+    for &(v, weight) in of {
+        match sums.iter_mut().find(|sum| sum.0 == v) {
+            Some(sum) => sum.1 += weight,
+            None => sums.push((v, weight)),
+        }
+    }
+    sums.sort_by(|a, b| b.1.total_cmp(&a.1));
+    sums.resize(3, (of[0].0, 0.0));
+    let sum: f64 = sums.iter().map(|(_, weight)| weight).sum();
+    [0, 1, 2].map(|k| (sums[k].0, sums[k].1 / sum))
+}
+
 /// The vertices of the loop that are on a branch, one near the other from an end of it on, and which part of it is before them: where the
 /// loop runs along the crease, it is there already.
-fn on_crease(around: &Surroundings, branch: &Branch, end: u32, edge: f64) -> Vec<(u32, f64)> {
+fn on_crease(around: &Surroundings, branch: &Branch, end: (u32, f64), edge: f64) -> Vec<(u32, f64)> {
     let count = around.loop_vertices as u32;
-    let mut all = vec![(end, if end == branch.from { 0.0 } else { 1.0 })];
+    let mut all = vec![end];
     for step in [1, count - 1] {
         let mut last = 0;
         for k in 1..count {
-            let v = (end + k * step) % count;
+            let v = (end.0 + k * step) % count;
             match branch.part_of(&around.x[v as usize], edge) {
                 Some(part) => {
                     all.push((v, part));
@@ -227,20 +267,20 @@ fn farthest(mut all: Vec<(u32, f64)>, from: f64) -> Vec<(u32, f64)> {
     all
 }
 
-/// Divides polygons along the ways of a crease: in two by each, or in three where they have a new corner in common.
-fn split(polygons: &mut Vec<Vec<Corner>>, ways: &[Way]) {
-    let share = |polygon: &[Corner]| ways.iter().all(|way| place(polygon, way.first()).is_some());
-    let is_new = |way: &&Way| {
+/// Divides polygons along the ways of a crease: in two by each, or in as many as lead to new corners. `None` where these ways would cross.
+fn split(polygons: &mut Vec<Vec<Corner>>, ways: &[Way]) -> Option<()> {
+    let is_new = |way: &Way| {
         polygons
             .iter()
             .all(|polygon| place(polygon, way.last()).is_none())
     };
-    if ways.iter().any(|way| is_new(&way)) {
-        if let Some(at) = polygons.iter().position(|polygon| share(polygon)) {
-            let polygon = polygons.swap_remove(at);
-            polygons.extend(around_corner(&polygon, ways));
-        }
-        return;
+    if ways.iter().any(is_new) {
+        let begins = |polygon: &Vec<Corner>| ways.iter().any(|way| place(polygon, way.first()).is_some());
+        let at = polygons.iter().position(begins)?;
+        let parts = around_corners(&polygons[at], ways)?;
+        polygons.swap_remove(at);
+        polygons.extend(parts);
+        return Some(());
     }
     for way in ways {
         if way.vertices.len() == 1 {
@@ -256,26 +296,42 @@ fn split(polygons: &mut Vec<Vec<Corner>>, ways: &[Way]) {
         polygons.push(between(&polygon, [a, b], right, &backward(&way.beside)));
         polygons.push(between(&polygon, [b, a], left, &forward(&way.beside)));
     }
+    Some(())
 }
 
 fn place(polygon: &[Corner], v: u32) -> Option<usize> {
     polygon.iter().position(|corner| corner.v == v)
 }
 
-/// The parts of a polygon between every two of the ways to a corner.
-fn around_corner(polygon: &[Corner], ways: &[Way]) -> Vec<Vec<Corner>> {
+/// The parts of a polygon between every two of the ways to corners.
+fn around_corners(polygon: &[Corner], ways: &[Way]) -> Option<Vec<Vec<Corner>>> {
     let of = |way| Some((place(polygon, Way::first(way))?, way));
     let mut order: Vec<(usize, &Way)> = ways.iter().filter_map(of).collect();
     order.sort_by_key(|(at, _)| *at);
+    let mut between_corners = 0;
     let parts = (0..order.len()).map(|k| {
         let ((a, first), (b, second)) = (order[k], order[(k + 1) % order.len()]);
-        // To the corner and back from it.
+        // To the corner, from it to the other one, and back from there.
         let mut way = forward(&second.vertices);
+        if second.last() != first.last() {
+            way.extend(&joining(ways, [second.last(), first.last()])?[1..]);
+            between_corners += 1;
+        }
         way.extend(&backward(&first.vertices)[1..]);
         let beside = [forward(&second.beside), backward(&first.beside)].concat();
-        between(polygon, [a, b], way, &beside)
+        Some(between(polygon, [a, b], way, &beside))
     });
-    parts.collect()
+    let parts = parts.collect::<Option<Vec<_>>>()?;
+    (between_corners <= 2).then_some(parts)
+}
+
+/// The way from one corner to another.
+fn joining(ways: &[Way], [from, to]: [u32; 2]) -> Option<Vec<Corner>> {
+    ways.iter().find_map(|way| match [way.first(), way.last()] {
+        ends if ends == [from, to] => Some(forward(&way.vertices)),
+        ends if ends == [to, from] => Some(backward(&way.vertices)),
+        _ => None,
+    })
 }
 
 /// Vertices on a crease, as what is left of it has them.

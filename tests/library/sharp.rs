@@ -229,6 +229,73 @@ fn ends_are_found_beside_other_edges() {
     dented_cube(|low, high| [low, low, 0.5 * (low + high)], 0.2, 2);
 }
 
+/// Four edges meet at two corners, and a fifth leads from one to the other, which nobody sees at the boundary.
+#[test]
+fn an_edge_between_two_corners_is_found() {
+    dented_cube(|low, high| [low, low, 0.5 * (low + high)], 0.56, 4);
+}
+
+/// A pyramid on a square, each side in planes of slope `down`, and which vertices are near to its top.
+fn pyramid(down: f64) -> (Vec<[f64; 3]>, Vec<[u32; 3]>, Vec<bool>) {
+    const N: u32 = 24;
+    let at = |v: u32| [v % (N + 1), v / (N + 1)].map(|k| f64::from(k) - 0.5 * f64::from(N));
+    let count = 0..(N + 1) * (N + 1);
+    let position = |v: u32| {
+        let [x, y] = at(v);
+        [x, y, -down * x.abs().max(y.abs())]
+    };
+    let cells = (0..N).flat_map(|j| (0..N).map(move |i| (i, j)));
+    let triangles = cells.flat_map(|(i, j)| {
+        let a = j * (N + 1) + i;
+        let [a, b, c, d] = [a, a + 1, a + N + 2, a + N + 1];
+        match (i < N / 2) == (j < N / 2) {
+            true => [[a, b, c], [a, c, d]],
+            false => [[a, b, d], [b, c, d]],
+        }
+    });
+    let is_near = |v: u32| at(v)[0].hypot(at(v)[1]) < 5.2;
+    (
+        count.clone().map(position).collect(),
+        triangles.collect(),
+        count.map(is_near).collect(),
+    )
+}
+
+#[test]
+fn a_corner_of_four_is_found() {
+    for down in [0.5, 1.5, -1.0] {
+        let (mut positions, triangles, free) = pyramid(down);
+        let is_free = |tri: &&[u32; 3]| tri.iter().any(|&v| free[v as usize]);
+        let mut open = triangles.clone();
+        open.retain(|tri| !is_free(&tri));
+        let asked = FillOptions {
+            loops: Loops::UpTo(60),
+            ..FillOptions::default()
+        };
+        let filled = fill_holes(&positions, &open, &asked).unwrap();
+        let inside = (0..).zip(&mut positions).filter(|(v, _)| free[*v as usize]);
+        inside.for_each(|(_, p)| p[2] = 0.0);
+        let faired = fair(&positions, &triangles, Selection::Mask(&free), &sharp_options()).unwrap();
+        let hole = filled.loops.iter().find_map(|of| of.fairing.as_ref());
+        for (report, positions) in [
+            (&faired.report, &faired.positions),
+            (hole.unwrap(), &filled.positions),
+        ] {
+            assert_success(&report.outcome);
+            let fates: Vec<_> = report
+                .sharp_edges
+                .iter()
+                .map(|of| (of.fate, of.ends.len()))
+                .collect();
+            assert_eq!(fates, [(SharpFate::Corner, 4)]);
+            let off = |p: &[f64; 3]| (p[2] + down * p[0].abs().max(p[1].abs())).abs();
+            // Free vertices beside those that a hole has no more are not new.
+            let new = positions.iter().filter(|p| p[0].hypot(p[1]) < 5.2);
+            assert_below!(new.map(off).fold(0.0, f64::max), 1e-6);
+        }
+    }
+}
+
 /// The crease has one or two edges outside before three meet.
 #[test]
 fn ends_are_found_beside_corners() {

@@ -21,7 +21,7 @@ export interface Report extends abi.Report {
 
 /** Ends of sharp edges that belong together, and what became of them. */
 export interface SharpEdge extends abi.SharpEdge {
-    /** Where it arrives at the boundary: one, two or three. */
+    /** Where it arrives at the boundary: one, two, or as many as meet in corners. */
     ends: abi.CreaseEnd[];
     /** The vertices along it, from end to end, or from each end to the corner one after the other; empty where it does not go on. */
     vertices: Uint32Array;

@@ -5,55 +5,90 @@ use nalgebra::Vector3;
 use super::curve::{Curve, CurvePoint, between_points};
 use crate::fairing::sharp_edge::CreaseEnd;
 
-/// A crease from one of the ends to another, or to a corner.
+/// Where a crease inside the region begins or ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Knot {
+    /// At a boundary vertex.
+    End(u32),
+    /// At one of the corners that its group has.
+    Corner(usize),
+}
+
+/// A crease that is to go on from a knot.
+#[derive(Debug, Clone)]
+pub(super) struct Arrival {
+    pub(super) knot: Knot,
+    /// With the tangent on its way into the region.
+    pub(super) point: CurvePoint,
+    pub(super) curvature: Vector3<f64>,
+    /// Unit normals left and right.
+    pub(super) normals: [Vector3<f64>; 2],
+    /// Between them, degrees; above 0 on a ridge.
+    pub(super) angle: f64,
+}
+
+impl Arrival {
+    pub(super) fn of(end: &CreaseEnd, positions: &[[f64; 3]]) -> Self {
+        Self {
+            knot: Knot::End(end.vertex),
+            point: CurvePoint {
+                at: positions[end.vertex as usize].into(),
+                tangent: end.direction.into(),
+            },
+            curvature: end.curvature.into(),
+            normals: end.normals.map(Into::into),
+            angle: end.angle,
+        }
+    }
+}
+
+/// A crease from one knot to another.
 #[derive(Debug, Clone)]
 pub(crate) struct Branch {
-    /// The boundary vertex that it comes from.
-    pub(crate) from: u32,
-    /// The boundary vertex that it runs to; none: the corner.
-    pub(crate) to: Option<u32>,
+    pub(crate) from: Knot,
+    pub(crate) to: Knot,
     pub(super) curve: Curve,
     /// Unit normals left and right of it, at the points of the curve.
     normals: [Vec<Vector3<f64>>; 2],
-}
-
-/// Where a crease arrives, on the way into the region.
-pub(super) fn inward(end: &CreaseEnd, positions: &[[f64; 3]]) -> CurvePoint {
-    CurvePoint {
-        at: positions[end.vertex as usize].into(),
-        tangent: end.direction.into(),
-    }
 }
 
 impl Branch {
     /// A fixed vertex this near to a crease (in edges) is on it.
     pub(crate) const ON: f64 = 0.1;
 
-    /// From end to end; `None` where no curve leads there.
-    pub(super) fn between(ends: [&CreaseEnd; 2], positions: &[[f64; 3]]) -> Option<Self> {
-        let [start, mut last] = ends.map(|end| inward(end, positions));
-        last.tangent = -last.tangent;
-        let curve = Curve::between(start, last)?;
+    /// From knot to knot; `None` where no curve leads there.
+    pub(super) fn between([start, end]: [&Arrival; 2]) -> Option<Self> {
+        let last = CurvePoint {
+            tangent: -end.point.tangent,
+            ..end.point
+        };
+        let curve = Curve::between(start.point, last)?;
         // What is left at one end is right at the other.
-        let [left, right] = ends.map(|end| end.normals.map(Vector3::from));
+        let [left, right] = [start.normals, end.normals];
         let normals = [curve.carried(left[0], right[1]), curve.carried(left[1], right[0])];
         Some(Self {
-            from: ends[0].vertex,
-            to: Some(ends[1].vertex),
+            from: start.knot,
+            to: end.knot,
             curve,
             normals,
         })
     }
 
-    /// From an end along a circle to a corner, whose normals there are not known yet.
-    pub(super) fn towards(end: &CreaseEnd, corner: Vector3<f64>, positions: &[[f64; 3]]) -> Option<Self> {
-        let curve = Curve::arc(inward(end, positions), corner)?;
+    /// From a knot along a circle to a corner, whose normals there are not known yet.
+    pub(super) fn towards(start: &Arrival, corner: usize, at: Vector3<f64>) -> Option<Self> {
+        let curve = Curve::arc(start.point, at)?;
         Some(Self {
-            from: end.vertex,
-            to: None,
-            normals: end.normals.map(|n| curve.transported(n.into())),
+            from: start.knot,
+            to: Knot::Corner(corner),
+            normals: start.normals.map(|n| curve.transported(n)),
             curve,
         })
+    }
+
+    /// To another corner of the group.
+    pub(super) fn to_corner(mut self, corner: usize) -> Self {
+        self.to = Knot::Corner(corner);
+        self
     }
 
     /// With these normals at its last point.

@@ -12,7 +12,7 @@ use fairmesh_linear::ordering::fill_reducing;
 use fairmesh_linear::symbolic::Symbolic;
 use nalgebra::Vector3;
 
-use super::branch::Branch;
+use super::branch::{Branch, Knot};
 use super::groups::Group;
 use crate::mesh::NONE;
 use crate::solve::Domain;
@@ -66,17 +66,18 @@ impl<'a> Membrane<'a> {
     /// The paths of a group's creases; `None` where there is none for one of them.
     pub(super) fn paths(&mut self, group: &Group) -> Option<Vec<Path>> {
         let costs: Vec<Vec<f64>> = group.branches.iter().map(|branch| self.costs(branch)).collect();
-        let corner = match group.branches.len() {
-            1 => None,
-            _ => Some(self.corner(group, &costs)?),
+        let corners = self.corners(group, &costs)?;
+        let at = |knot: Knot| match knot {
+            Knot::End(vertex) => self.local(vertex),
+            Knot::Corner(corner) => Some(corners[corner]),
         };
+        let knots = group
+            .branches
+            .iter()
+            .map(|branch| Some([at(branch.from)?, at(branch.to)?]));
+        let knots = knots.collect::<Option<Vec<[u32; 2]>>>()?;
         let mut paths = Vec::new();
-        for (branch, costs) in group.branches.iter().zip(&costs) {
-            let from = self.local(branch.from)?;
-            let to = match branch.to {
-                Some(v) => self.local(v)?,
-                None => corner?,
-            };
+        for ((branch, costs), [from, to]) in group.branches.iter().zip(&costs).zip(knots) {
             let reach = self.reach(from, to, costs, &self.on(branch));
             let path = self.shortened(reach.path(to)?);
             let parts = self.parts(&path, branch)?;
@@ -141,20 +142,35 @@ impl<'a> Membrane<'a> {
         self.x.iter().map(off).collect()
     }
 
-    /// The free vertex to which all creases of a corner come cheapest.
-    fn corner(&self, group: &Group, costs: &[Vec<f64>]) -> Option<u32> {
-        let mut sum = vec![0.0; self.domain.region.free];
-        for (branch, costs) in group.branches.iter().zip(costs) {
-            let reach = self.reach(self.local(branch.from)?, NONE, costs, &self.on(branch));
-            let corner = branch.curve.at(1.0).at;
-            let way = |v: usize| reach.cost[v] + (self.x[v] - corner).norm() / self.edge;
-            sum.iter_mut().enumerate().for_each(|(v, sum)| *sum += way(v));
+    /// The free vertices to which the creases come cheapest that have a corner in common, corner by corner.
+    fn corners(&self, group: &Group, costs: &[Vec<f64>]) -> Option<Vec<u32>> {
+        let mut corners = Vec::new();
+        loop {
+            let knot = Knot::Corner(corners.len());
+            let mut sum = vec![0.0; self.domain.region.free];
+            let mut is_met = false;
+            for (branch, costs) in group.branches.iter().zip(costs) {
+                let (Knot::End(vertex), true) = (branch.from, branch.to == knot) else {
+                    continue;
+                };
+                let reach = self.reach(self.local(vertex)?, NONE, costs, &self.on(branch));
+                let corner = branch.curve.at(1.0).at;
+                let way = |v: usize| reach.cost[v] + (self.x[v] - corner).norm() / self.edge;
+                sum.iter_mut().enumerate().for_each(|(v, sum)| *sum += way(v));
+                is_met = true;
+            }
+            if !is_met {
+                return Some(corners);
+            }
+            let best = (0..sum.len()).min_by(|&a, &b| sum[a].total_cmp(&sum[b]))?;
+            if !sum[best].is_finite() {
+                return None;
+            }
+            corners.push(best as u32);
         }
-        let best = (0..sum.len()).min_by(|&a, &b| sum[a].total_cmp(&sum[b]))?;
-        sum[best].is_finite().then_some(best as u32)
     }
 
-    /// Dijkstra's shortest paths from a boundary vertex over those that are free or on the crease, and not taken, until `to` is reached.
+    /// Dijkstra's shortest paths from a vertex over those that are free or on the crease, and not taken, until `to` is reached.
     fn reach(&self, from: u32, to: u32, off: &[f64], on: &[bool]) -> Reach {
         let mut reach = Reach {
             cost: vec![f64::INFINITY; self.x.len()],
