@@ -193,14 +193,17 @@ fn ways(
     crease.branches.iter().map(&mut way).collect()
 }
 
-/// Each corner of a crease, and the vertices of the loop whose creases lead there, by their shares. One that is there already is no new vertex;
+/// A corner, and the vertices of the loop whose creases lead there, by their shares.
+type SharedCorner = (u32, Vec<(u32, f64)>);
+
+/// Each corner of a crease. One that is there already is no new vertex;
 /// beside another corner it is none.
 fn corners(
     around: &Surroundings,
     crease: &BoundaryCrease,
     size: f64,
     add: &mut impl FnMut(Vector3<f64>, [(u32, f64); 3]) -> u32,
-) -> Option<Vec<(u32, Vec<(u32, f64)>)>> {
+) -> Option<Vec<SharedCorner>> {
     let of = |c: usize| {
         crease
             .branches

@@ -86,7 +86,7 @@ impl Branch {
     }
 
     /// To another corner of the group.
-    pub(super) fn to_corner(mut self, corner: usize) -> Self {
+    pub(super) fn ending_at(mut self, corner: usize) -> Self {
         self.to = Knot::Corner(corner);
         self
     }

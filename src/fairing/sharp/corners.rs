@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::branch::{Arrival, Branch, Knot};
 use super::curve::{Curve, CurvePoint};
-use super::groups::{Group, UNLIKE};
+use super::group::{Group, UNLIKE};
 use crate::discrete::boundary_normals::angle;
 use crate::fairing::options::Options;
 
@@ -107,7 +107,7 @@ impl HalfCorner {
             first.ending_in([self.plane, planes[1]]),
             second.ending_in([planes[0], self.plane]),
         ];
-        ending.map(|branch| branch.to_corner(corner))
+        ending.map(|branch| branch.ending_at(corner))
     }
 }
 

@@ -5,27 +5,16 @@
 
 use super::branch::{Arrival, Branch};
 use super::corners::{corner, half_corner, two_corners};
+use super::group::{Group, UNLIKE};
 use crate::fairing::sharp_edge::CreaseEnd;
 
 /// What an end alone costs, in squares of radians.
 /// Half: of 60 parts 1 changes; double: none changes.
 const ALONE: f64 = 6.0;
-/// The angles at both ends of a crease differ by no more than this, degrees.
-pub(super) const UNLIKE: f64 = 45.0;
 /// No crease turns by more, as the root of its mean square in radians.
 const WINDING: f64 = 3.5;
 /// More ends are not grouped: there are thousands of ways.
 const MOST: usize = 8;
-
-/// Ends that belong together, and the creases between them: one; three or more to a corner; or two each to two corners, and one from corner to
-/// corner. None of an end alone.
-#[derive(Debug, Clone)]
-pub(super) struct Group {
-    pub(super) ends: Vec<usize>,
-    pub(super) branches: Vec<Branch>,
-    /// In squares of radians.
-    pub(super) cost: f64,
-}
 
 /// The ends, each in one group.
 pub(super) fn grouped(ends: &[CreaseEnd], positions: &[[f64; 3]]) -> Vec<Group> {

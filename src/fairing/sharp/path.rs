@@ -13,7 +13,7 @@ use fairmesh_linear::symbolic::Symbolic;
 use nalgebra::Vector3;
 
 use super::branch::{Branch, Knot};
-use super::groups::Group;
+use super::group::Group;
 use crate::mesh::NONE;
 use crate::solve::Domain;
 
