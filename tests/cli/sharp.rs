@@ -44,6 +44,6 @@ fn a_ridge_goes_on_and_is_told() {
         .fold(0.0, f64::max);
     assert!(worst < 1e-6, "{worst}");
     for none in [["--sharp", "off"], ["--sharp", "120"]] {
-        assert!(!sharp(none).contains("sharp edges:"), "{none:?}");
+        assert!(!sharp(&none).contains("sharp edges:"), "{none:?}");
     }
 }
