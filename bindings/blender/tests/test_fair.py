@@ -163,7 +163,7 @@ def test_a_crease_is_told_and_can_be_selected():
     bpy.ops.mesh.subdivide(number_cuts=3)
     bpy.ops.mesh.select_all(action="DESELECT")
     common.select_faces(obj, lambda f: f.calc_center_median().z > 0.99)
-    fair()
+    fair(sharp="OFF")
     report, kind, text = last_run()
     assert report.outcome == "boundary_crease", report.outcome
     assert kind == "WARNING" and "crease along the boundary" in text and "Move the boundary" in text
