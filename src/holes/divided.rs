@@ -196,8 +196,7 @@ fn ways(
 /// A corner, and the vertices of the loop whose creases lead there, by their shares.
 type SharedCorner = (u32, Vec<(u32, f64)>);
 
-/// Each corner of a crease. One that is there already is no new vertex;
-/// beside another corner it is none.
+/// Each corner of a crease. One that the loop has already is no new vertex; `None` where it is one of two.
 fn corners(
     around: &Surroundings,
     crease: &BoundaryCrease,
@@ -278,8 +277,14 @@ fn split(polygons: &mut Vec<Vec<Corner>>, ways: &[Way]) -> Option<()> {
             .all(|polygon| place(polygon, way.last()).is_none())
     };
     if ways.iter().any(is_new) {
-        let begins = |polygon: &Vec<Corner>| ways.iter().any(|way| place(polygon, way.first()).is_some());
-        let at = polygons.iter().position(begins)?;
+        // Ways from corner to corner begin in none.
+        let begins = |polygon: &Vec<Corner>| {
+            ways.iter()
+                .filter(|way| place(polygon, way.first()).is_some())
+                .count()
+        };
+        let most = polygons.iter().map(begins).max()?;
+        let at = polygons.iter().position(|polygon| begins(polygon) == most)?;
         let parts = around_corners(&polygons[at], ways)?;
         polygons.swap_remove(at);
         polygons.extend(parts);
@@ -325,6 +330,7 @@ fn around_corners(polygon: &[Corner], ways: &[Way]) -> Option<Vec<Vec<Corner>>> 
         Some(between(polygon, [a, b], way, &beside))
     });
     let parts = parts.collect::<Option<Vec<_>>>()?;
+    // Around the tree the way between two corners is walked twice, once each way.
     (between_corners <= 2).then_some(parts)
 }
 
