@@ -10,6 +10,7 @@ mod cap;
 mod carry_over;
 mod coarse_loops;
 mod connections;
+mod crease_ways;
 mod creases;
 mod crossing;
 mod divided;

@@ -1,6 +1,7 @@
 //! The patch of a loop that creases divide: those of its sides, together.
 
-use super::divided::{CreaseVertex, DividedLoop, Side, divide};
+use super::crease_ways::CreaseVertex;
+use super::divided::{DividedLoop, Side, divide};
 use super::outcome::{FillOutcome, FlatReason, OpenReason, renumber};
 use super::parents::{Parents, compose};
 use super::surroundings::Surroundings;
