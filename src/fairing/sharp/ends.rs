@@ -33,8 +33,8 @@ const STRAIGHT: usize = 4;
 /// Half or double, of 60 parts: none changes.
 const BENT: f64 = 6.0;
 /// Where a side is one strip of triangles, its facets may be those of something round: only wider ones are taken for planes unless less is asked for,
-/// degrees: between an octagon's and a hexagon's. Half: tubes of 10 and 12 sides have an edge at every vertex; double: two edges of 72 degrees around
-/// a strip of one triangle are not found.
+/// degrees: between an octagon's and a hexagon's. Half: tubes of 10 and 12 sides have an edge at every vertex, of 66 regions across edges of parts one
+/// is nearer and one less near; double: two edges of 72 degrees around a strip of one triangle are not found, and of those regions two are no success.
 const FACETS: f64 = 52.5;
 /// An edge that bends by less than this part of the angle asked for is in no chain.
 const FIRST_BEND: f64 = 0.5;
