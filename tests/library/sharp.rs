@@ -191,6 +191,16 @@ fn an_end_alone_is_told() {
 
 /// A cube with dented vertices about a point, faired: where it is after that is exact, and this many ends were found.
 fn dented_cube(centre: impl Fn(f64, f64) -> [f64; 3], radius: f64, count: usize) {
+    dented_cube_without(|_| false, centre, radius, count);
+}
+
+/// The same, where vertices with these coordinates (from 0 to 1) are fixed, too.
+fn dented_cube_without(
+    is_fixed: impl Fn([f64; 3]) -> bool,
+    centre: impl Fn(f64, f64) -> [f64; 3],
+    radius: f64,
+    count: usize,
+) {
     let (positions, triangles) = cube(8);
     let all = || positions.iter().flatten();
     let (low, high) = (
@@ -199,7 +209,9 @@ fn dented_cube(centre: impl Fn(f64, f64) -> [f64; 3], radius: f64, count: usize)
     );
     let centre = centre(low, high);
     let far = |p: &[f64; 3]| (0..3).map(|k| (p[k] - centre[k]).powi(2)).sum::<f64>().sqrt();
-    let free: Vec<bool> = positions.iter().map(|p| far(p) < radius * (high - low)).collect();
+    let is_free =
+        |p: &[f64; 3]| far(p) < radius * (high - low) && !is_fixed(p.map(|x| (x - low) / (high - low)));
+    let free: Vec<bool> = positions.iter().map(is_free).collect();
     let mut dented = positions.clone();
     let inside = free.iter().zip(&mut dented).filter(|(free, _)| **free);
     inside.for_each(|(_, p)| {
@@ -233,6 +245,13 @@ fn ends_are_found_beside_other_edges() {
 #[test]
 fn an_edge_between_two_corners_is_found() {
     dented_cube(|low, high| [low, low, 0.5 * (low + high)], 0.56, 4);
+}
+
+/// Where the boundary runs along a crease and through the corner, no free vertices take their places.
+#[test]
+fn a_corner_may_be_at_the_boundary() {
+    let is_fixed = |[_, y, z]: [f64; 3]| y < 0.01 && z < 0.35;
+    dented_cube_without(is_fixed, |low, _| [low; 3], 0.6, 3);
 }
 
 /// A pyramid on a square, each side in planes of slope `down`, and which vertices are near to its top.

@@ -122,6 +122,14 @@ impl<'a> Membrane<'a> {
         self.x.iter().enumerate().map(near).collect()
     }
 
+    /// The fixed vertex at a point, if one is there.
+    fn fixed_at(&self, at: &Vector3<f64>) -> Option<u32> {
+        let region = &self.domain.region;
+        let off = |v: &usize| (self.x[*v] - at).norm();
+        let near = (region.free..region.region_vertices()).min_by(|v, w| off(v).total_cmp(&off(w)));
+        near.filter(|v| off(v) < Branch::ON * self.edge).map(|v| v as u32)
+    }
+
     /// The boundary vertex that the caller calls so.
     fn local(&self, id: u32) -> Option<u32> {
         let region = &self.domain.region;
@@ -142,13 +150,13 @@ impl<'a> Membrane<'a> {
         self.x.iter().map(off).collect()
     }
 
-    /// The free vertices to which the creases come cheapest that have a corner in common, corner by corner.
+    /// The vertices to which the creases come cheapest that have a corner in common, corner by corner: a fixed one where one is in the corner.
     fn corners(&self, group: &Group, costs: &[Vec<f64>]) -> Option<Vec<u32>> {
         let mut corners = Vec::new();
         loop {
             let knot = Knot::Corner(corners.len());
             let mut sum = vec![0.0; self.domain.region.free];
-            let mut is_met = false;
+            let mut met = None;
             for (branch, costs) in group.branches.iter().zip(costs) {
                 let (Knot::End(vertex), true) = (branch.from, branch.to == knot) else {
                     continue;
@@ -157,10 +165,14 @@ impl<'a> Membrane<'a> {
                 let corner = branch.curve.at(1.0).at;
                 let way = |v: usize| reach.cost[v] + (self.x[v] - corner).norm() / self.edge;
                 sum.iter_mut().enumerate().for_each(|(v, sum)| *sum += way(v));
-                is_met = true;
+                met = Some(corner);
             }
-            if !is_met {
+            let Some(at) = met else {
                 return Some(corners);
+            };
+            if let Some(fixed) = self.fixed_at(&at) {
+                corners.push(fixed);
+                continue;
             }
             let best = (0..sum.len()).min_by(|&a, &b| sum[a].total_cmp(&sum[b]))?;
             if !sum[best].is_finite() {
@@ -193,7 +205,13 @@ impl<'a> Membrane<'a> {
                 }
                 let length = (self.x[w as usize] - self.x[v as usize]).norm() / self.edge;
                 let mean = 0.5 * (off[v as usize] + off[w as usize]);
-                let cost = reach.cost[v as usize] + length * (ON_CREASE + mean);
+                let is_crease = on[v as usize] && on[w as usize];
+                let cost = reach.cost[v as usize]
+                    + if is_crease {
+                        0.0
+                    } else {
+                        length * (ON_CREASE + mean)
+                    };
                 if cost < reach.cost[w as usize] {
                     reach.cost[w as usize] = cost;
                     reach.before[w as usize] = v;
