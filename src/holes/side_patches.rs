@@ -81,6 +81,7 @@ impl Task<'_> {
     fn in_units(&self, end: &CreaseEnd) -> CreaseEnd {
         CreaseEnd {
             curvature: end.curvature.map(|k| k / self.surroundings.scale()),
+            curvature_error: end.curvature_error / self.surroundings.scale(),
             ..end.clone()
         }
     }

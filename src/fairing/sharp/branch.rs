@@ -5,6 +5,11 @@ use nalgebra::Vector3;
 use super::curve::{Curve, CurvePoint, between_points};
 use crate::fairing::sharp_edge::CreaseEnd;
 
+/// A crease's curvature is off those at its ends by no more turn over its length, radians: it is none where something unseen is between them.
+const VARIATION: f64 = 1.6;
+/// After so many standard errors of the curvature are taken off.
+const CERTAIN: f64 = 2.0;
+
 /// Where a crease inside the region begins or ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Knot {
@@ -21,6 +26,8 @@ pub(super) struct Arrival {
     /// With the tangent on its way into the region.
     pub(super) point: CurvePoint,
     pub(super) curvature: Vector3<f64>,
+    /// The standard error of it.
+    pub(super) curvature_error: f64,
     /// Unit normals left and right.
     pub(super) normals: [Vector3<f64>; 2],
     /// Between them, degrees; above 0 on a ridge.
@@ -36,6 +43,7 @@ impl Arrival {
                 tangent: end.direction.into(),
             },
             curvature: end.curvature.into(),
+            curvature_error: end.curvature_error,
             normals: end.normals.map(Into::into),
             angle: end.angle,
         }
@@ -97,6 +105,21 @@ impl Branch {
             *own = self.curve.carried(own[0], to);
         }
         self
+    }
+
+    /// How far the curvature of the curve is off those at its ends, as turns over its length, squared and summed; `None` where one is certainly off by
+    /// too much.
+    pub(super) fn variation(&self, arrivals: &[&Arrival]) -> Option<f64> {
+        let own = self.curve.curvatures();
+        let mut sum = 0.0;
+        for (own, arrival) in own.iter().zip(arrivals) {
+            let off = (own - arrival.curvature).norm();
+            if (off - CERTAIN * arrival.curvature_error) * self.curve.length > VARIATION {
+                return None;
+            }
+            sum += (off * self.curve.length).powi(2);
+        }
+        Some(sum)
     }
 
     pub(crate) fn length(&self) -> f64 {

@@ -89,6 +89,7 @@ impl HalfCorner {
             knot: Knot::Corner(corner),
             point: CurvePoint { at: self.at, tangent },
             curvature: Vector3::zeros(),
+            curvature_error: f64::INFINITY,
             normals: [left, right],
             angle: angle(&left, &right).to_degrees() * ridge,
         })
@@ -155,12 +156,14 @@ impl Side {
     }
 }
 
-/// Creases to the point where they meet, and how much they bend.
+/// Creases to the point where they meet, and how much their curvatures vary.
 fn meeting(arrivals: &[&Arrival]) -> Option<(Vec<Branch>, f64)> {
     let at = meeting_point(arrivals)?;
     let branches = arrivals.iter().map(|arrival| Branch::towards(arrival, 0, at));
     let branches = branches.collect::<Option<Vec<Branch>>>()?;
-    let cost = branches.iter().map(|branch| branch.curve.bending()).sum();
+    let costs = branches.iter().zip(arrivals);
+    let costs = costs.map(|(branch, arrival)| branch.variation(&[arrival]));
+    let cost = costs.sum::<Option<f64>>()?;
     Some((branches, cost))
 }
 

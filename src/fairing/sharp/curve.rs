@@ -163,6 +163,13 @@ impl Curve {
         }
     }
 
+    /// The curvatures at both ends.
+    pub(super) fn curvatures(&self) -> [Vector3<f64>; 2] {
+        let [a, b] = self.turning;
+        let last = self.at(1.0).tangent;
+        [a.cross(&self.start.tangent), (a + b).cross(&last)].map(|turn| turn / self.length)
+    }
+
     /// The mean square of the turning, radians over the whole curve.
     pub(super) fn bending(&self) -> f64 {
         let [a, b] = self.turning;

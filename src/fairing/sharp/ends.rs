@@ -95,9 +95,12 @@ fn along(outside: &Outside<'_>, chain: Vec<u32>, least: f64) -> Option<CreaseEnd
         })
     };
     let is_along_edges = bend * here.angle.signum() >= OF_EDGES * here.angle.abs();
-    (is_along_edges && steps().skip(1).all(|step| lasts(fold(step, f64::INFINITY)))).then(|| CreaseEnd {
+    let goes_on = is_along_edges && steps().skip(1).all(|step| lasts(fold(step, f64::INFINITY)));
+    let (curvature, curvature_error) = curvature(outside, &chain, here.direction);
+    goes_on.then(|| CreaseEnd {
         vertex: chain[0],
-        curvature: curvature(outside, &chain, here.direction).into(),
+        curvature: curvature.into(),
+        curvature_error,
         direction: here.direction.into(),
         normals: here.normals.map(Into::into),
         angle: here.angle,
@@ -107,8 +110,8 @@ fn along(outside: &Outside<'_>, chain: Vec<u32>, least: f64) -> Option<CreaseEnd
 }
 
 /// The curvature at the first vertex of a chain, of the curve through its vertices with this tangent there, against which they run: by least
-/// squares, `x(s) = x + t s + k s^2 / 2 + d s^3 / 6`. Zero where the vertices are not that near to it.
-fn curvature(outside: &Outside<'_>, chain: &[u32], tangent: Vector3<f64>) -> Vector3<f64> {
+/// squares, `x(s) = x + t s + k s^2 / 2 + d s^3 / 6`. Zero where the vertices are not that near to it. And its standard error.
+fn curvature(outside: &Outside<'_>, chain: &[u32], tangent: Vector3<f64>) -> (Vector3<f64>, f64) {
     let from = outside.position(chain[0]);
     let mut s = 0.0;
     let samples = chain[1..].iter().zip(chain).map(|(&v, &before)| {
@@ -118,8 +121,9 @@ fn curvature(outside: &Outside<'_>, chain: &[u32], tangent: Vector3<f64>) -> Vec
         (s, off - tangent * off.dot(&tangent))
     });
     let samples: Vec<(f64, Vector3<f64>)> = samples.collect();
+    let unknown = (Vector3::zeros(), f64::INFINITY);
     if samples.len() < STRAIGHT {
-        return Vector3::zeros();
+        return unknown;
     }
     let basis = |s: f64| Vector2::new(s * s / 2.0, s.powi(3) / 6.0);
     let mut matrix = Matrix2::zeros();
@@ -129,7 +133,7 @@ fn curvature(outside: &Outside<'_>, chain: &[u32], tangent: Vector3<f64>) -> Vec
         right += basis(*s) * off.transpose();
     }
     let Some(inverse) = matrix.try_inverse() else {
-        return Vector3::zeros();
+        return unknown;
     };
     let found = inverse * right;
     let residual =
@@ -137,11 +141,8 @@ fn curvature(outside: &Outside<'_>, chain: &[u32], tangent: Vector3<f64>) -> Vec
     let square: f64 = samples.iter().map(residual).sum();
     let error = (square / (samples.len() - 2) as f64 * inverse[(0, 0)]).sqrt();
     let k = found.row(0).transpose();
-    if k.norm() > BENT * error {
-        k
-    } else {
-        Vector3::zeros()
-    }
+    let is_bent = k.norm() > BENT * error;
+    (if is_bent { k } else { Vector3::zeros() }, error)
 }
 
 /// How the surface is folded at a vertex of a crease.

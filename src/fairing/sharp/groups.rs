@@ -11,8 +11,6 @@ use crate::fairing::sharp_edge::CreaseEnd;
 /// What an end alone costs, in squares of radians.
 /// Half: of 60 parts 1 changes; double: none changes.
 const ALONE: f64 = 6.0;
-/// No crease turns by more, as the root of its mean square in radians.
-const WINDING: f64 = 3.5;
 /// More ends are not grouped: there are thousands of ways.
 const MOST: usize = 8;
 
@@ -78,10 +76,62 @@ fn pair(arrivals: &[Arrival], [i, j]: [usize; 2]) -> Option<Group> {
         return None;
     }
     let branch = Branch::between([&arrivals[i], &arrivals[j]])?;
-    let bending = branch.curve.bending();
-    (bending < WINDING * WINDING).then(|| Group {
+    let variation = branch.variation(&[&arrivals[i], &arrivals[j]])?;
+    Some(Group {
         ends: vec![i, j],
         branches: vec![branch],
-        cost: bending + unlike.to_radians().powi(2),
+        cost: variation + unlike.to_radians().powi(2),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ends on these points, of a ridge of 90 degrees, whose normals are up and outward from the axis z.
+    fn ends(of: &[([f64; 3], [f64; 3])], curvature: f64, curvature_error: f64) -> Vec<CreaseEnd> {
+        let end = |(vertex, (at, direction)): (u32, &([f64; 3], [f64; 3]))| {
+            let [x, y, _] = *at;
+            let outward = [x, y, 0.0].map(|c| c / libm::hypot(x, y));
+            let is_left = x * direction[1] - y * direction[0] > 0.0;
+            let up = [0.0, 0.0, 1.0];
+            CreaseEnd {
+                vertex,
+                direction: *direction,
+                curvature: outward.map(|c| -c * curvature),
+                curvature_error,
+                normals: if is_left { [up, outward] } else { [outward, up] },
+                angle: 90.0,
+                error: 0.0,
+                chain: Vec::new(),
+            }
+        };
+        (0..).zip(of).map(end).collect()
+    }
+
+    fn counts(ends: &[CreaseEnd], at: &[[f64; 3]]) -> Vec<usize> {
+        let groups = grouped(ends, at);
+        groups.iter().map(|group| group.ends.len()).collect()
+    }
+
+    /// The rest of a circle of so many radians goes on by its curvature; straight edges do not turn on their way, unless nothing is certain about them.
+    #[test]
+    fn creases_go_on_as_their_curvature_tells() {
+        for turn in [1.0f64, 2.0, 3.5, 5.0] {
+            let at = |phi: f64, way: f64| {
+                let (sin, cos) = libm::sincos(phi);
+                ([cos, sin, 0.0], [-sin * way, cos * way, 0.0])
+            };
+            let both = [at(0.0, 1.0), at(turn, -1.0)];
+            let places = both.map(|(x, _)| x);
+            assert_eq!(counts(&ends(&both, 1.0, 0.01), &places), [2], "{turn}");
+            let straight = counts(&ends(&both, 0.0, 0.01), &places);
+            assert_eq!(straight.len(), if turn < 1.6 { 1 } else { 2 }, "{turn}");
+            assert_eq!(
+                counts(&ends(&both, 0.0, f64::INFINITY), &places).len(),
+                if turn < 3.0 { 1 } else { 2 },
+                "{turn}"
+            );
+        }
+    }
 }

@@ -78,8 +78,7 @@ impl<'a> Membrane<'a> {
         let knots = knots.collect::<Option<Vec<[u32; 2]>>>()?;
         let mut paths = Vec::new();
         for ((branch, costs), [from, to]) in group.branches.iter().zip(&costs).zip(knots) {
-            let reach = self.reach(from, to, costs, &self.on(branch));
-            let path = self.shortened(reach.path(to)?);
+            let path = self.path([from, to], branch, costs)?;
             let parts = self.parts(&path, branch)?;
             path.iter().for_each(|&v| self.taken[v as usize] = true);
             let ids = &self.domain.region.vertex_ids;
@@ -87,6 +86,40 @@ impl<'a> Membrane<'a> {
             paths.push(Path { vertices, parts });
         }
         Some(paths)
+    }
+
+    /// The path of a crease: along fixed vertices that are on it from both ends, and cheaply between these.
+    fn path(&self, [from, to]: [u32; 2], branch: &Branch, costs: &[f64]) -> Option<Vec<u32>> {
+        let mut path = self.along_fixed(from, branch, 1.0);
+        let mut end = self.along_fixed(to, branch, -1.0);
+        end.reverse();
+        if let Some(k) = path.iter().position(|v| *v == end[0]) {
+            path.truncate(k);
+        } else {
+            let reach = self.reach(path.pop()?, end[0], costs, &self.on(branch));
+            path.extend(self.shortened(reach.path(end[0])?));
+            path.pop();
+        }
+        path.extend(end);
+        Some(path)
+    }
+
+    /// From a vertex along the crease (1, or -1 against it) over fixed vertices that are on it.
+    fn along_fixed(&self, from: u32, branch: &Branch, way: f64) -> Vec<u32> {
+        let part = |v: u32| branch.part_of(&self.x[v as usize], self.edge);
+        let mut path = vec![from];
+        let mut at = part(from);
+        while let Some(before) = at {
+            let beside = self.domain.rings.neighbours(path[path.len() - 1] as usize).iter();
+            let fixed = beside.filter(|w| !self.domain.region.is_free(**w) && !self.taken[**w as usize]);
+            let beyond = fixed.filter_map(|&w| Some((part(w).filter(|p| (p - before) * way > 0.0)?, w)));
+            let next = beyond.min_by(|a, b| (a.0 * way).total_cmp(&(b.0 * way)));
+            at = next.map(|(part, w)| {
+                path.push(w);
+                part
+            });
+        }
+        path
     }
 
     /// Which parts of the crease's length are before the vertices of a path: evenly between those that are fixed; `None` where that stretches
@@ -105,7 +138,8 @@ impl<'a> Membrane<'a> {
             let (to, part) = (from + 1..=last).find_map(|k| Some((k, known(k)?)))?;
             let step = (part - parts[from]) / (to - from) as f64;
             let spread = step * branch.curve.length / self.edge;
-            if !(1.0 / STRETCH..=STRETCH).contains(&spread) {
+            let is_stretched = !(1.0 / STRETCH..=STRETCH).contains(&spread);
+            if is_stretched && path[from..=to].iter().any(|v| self.domain.region.is_free(*v)) {
                 return None;
             }
             let first = parts[from];
