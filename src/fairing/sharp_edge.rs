@@ -20,8 +20,8 @@ pub struct CreaseEnd {
     pub angle: f64,
     /// The standard error of the angle, degrees.
     pub error: f64,
-    /// The vertices outside along the crease, from `vertex` on.
-    pub chain: Vec<u32>,
+    /// The vertices outside along the crease, from `vertex` on; along two where it starts in their corner.
+    pub chains: Vec<Vec<u32>>,
 }
 
 choices! {

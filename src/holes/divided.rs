@@ -71,7 +71,12 @@ pub(super) fn divide(
     }
     let of: Vec<&BoundaryCrease> = followed.iter().map(|(i, _)| &creases[*i]).collect();
     let chains = of.iter().flat_map(|crease| &crease.ends);
-    let cut = chains.flat_map(|end| end.chain.windows(2).map(|step| [step[0], step[1]]));
+    let cut = chains.flat_map(|end| {
+        end.chains
+            .iter()
+            .flat_map(|chain| chain.windows(2))
+            .map(|step| [step[0], step[1]])
+    });
     let cut: Vec<[u32; 2]> = cut.chain(rims).collect();
     let parted = part(around.x.len(), &around.triangles, &cut);
     let run = Division {

@@ -291,7 +291,7 @@ pub(super) fn renumber(report: &mut Report, vertex: impl Fn(u32) -> u32, triangl
         edge.vertices.iter_mut().for_each(|v| *v = vertex(*v));
         for end in &mut edge.ends {
             end.vertex = vertex(end.vertex);
-            end.chain.iter_mut().for_each(|v| *v = vertex(*v));
+            end.chains.iter_mut().flatten().for_each(|v| *v = vertex(*v));
         }
     }
 }

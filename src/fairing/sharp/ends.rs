@@ -6,6 +6,7 @@
 
 use nalgebra::{Matrix2, Matrix2x3, Vector2, Vector3};
 
+use super::boundary_corner::third;
 use super::outside::Outside;
 use super::sides::{AROUND, SideFit, Sides};
 use crate::discrete::boundary_normals::angle;
@@ -51,19 +52,39 @@ pub(crate) fn crease_ends(outside: &Outside<'_>, least: f64) -> Vec<CreaseEnd> {
 /// Normals at boundary vertices near to these ends: of their own side.
 pub(super) fn normals_near(outside: &Outside<'_>, ends: &[&CreaseEnd], least: f64) -> Vec<(u32, [f64; 3])> {
     let near =
-        |end: &&CreaseEnd| Sides::new(outside, &end.chain, least).boundary_normals(outside, &end.chain);
+        |end: &&CreaseEnd| Sides::new(outside, &end.chains, least).boundary_normals(outside, &end.chains);
     ends.iter().flat_map(near).collect()
 }
 
-/// The crease that arrives at a boundary vertex; `None` also where several do: a corner.
+/// The crease that arrives at a boundary vertex, or starts where two do; `None` where more do.
 fn end_at(outside: &Outside<'_>, v: u32, least: f64) -> Option<CreaseEnd> {
     let first = bent(outside, v, least).into_iter();
     let chains = first.map(|w| chain(outside, v, w, least));
     // An edge alone between boundary vertices leads into the region.
-    let chains = chains.filter(|chain| chain.len() > 2 || !outside.is_boundary[chain[1] as usize]);
-    let mut ends = chains.filter_map(|chain| along(outside, chain, least));
-    let end = ends.next()?;
-    ends.next().is_none().then_some(end)
+    let leads_out = |chain: &Vec<u32>| chain.len() > 2 || !outside.is_boundary[chain[1] as usize];
+    let chains: Vec<Vec<u32>> = chains
+        .filter(|chain| leads_out(chain) && mean_bend(outside, chain).abs() >= OF_EDGES * least)
+        .collect();
+    // Both sides of a chain reach as far as the others, where these are creases, too.
+    let together = (0..chains.len()).filter_map(|k| along(outside, &chains, k, least));
+    let corner = <[CreaseEnd; 2]>::try_from(together.collect::<Vec<_>>());
+    if let Ok(two) = corner {
+        return third(outside, two).filter(|end| end.angle.abs() >= least.max(SIGNIFICANT * end.error));
+    }
+    let mut alone = chains
+        .chunks(1)
+        .filter_map(|chain| along(outside, chain, 0, least));
+    let end = alone.next()?;
+    alone.next().is_none().then_some(end)
+}
+
+/// The mean bend of the edges that tell a crease along a chain.
+fn mean_bend(outside: &Outside<'_>, chain: &[u32]) -> f64 {
+    let bends = chain
+        .windows(2)
+        .take(LONG)
+        .map(|step| outside.bend(step[0], step[1]));
+    bends.sum::<f64>() / (chain.len() - 1).min(LONG) as f64
 }
 
 /// Where the edges at a vertex lead to that may be in a chain.
@@ -73,15 +94,13 @@ pub(super) fn bent(outside: &Outside<'_>, v: u32, least: f64) -> Vec<u32> {
     others
 }
 
-/// The end of a crease along these edges, if there is one.
-fn along(outside: &Outside<'_>, chain: Vec<u32>, least: f64) -> Option<CreaseEnd> {
+/// The end of a crease along one of the chains at a vertex, if there is one.
+fn along(outside: &Outside<'_>, chains: &[Vec<u32>], which: usize, least: f64) -> Option<CreaseEnd> {
+    let chain = &chains[which];
     let steps = || chain.windows(2).take(LONG);
     let count = steps().count() as f64;
-    let bend = steps().map(|step| outside.bend(step[0], step[1])).sum::<f64>() / count;
-    if bend.abs() < OF_EDGES * least {
-        return None;
-    }
-    let sides = Sides::new(outside, &chain, least);
+    let bend = mean_bend(outside, chain);
+    let sides = Sides::new(outside, chains, least);
     let outward = outside.position(chain[chain.len().min(3) - 1]) - outside.position(chain[0]);
     let fold = |step: &[u32], most: f64| Fold::of(sides.fits(step[0], step[1], most)?, outward);
     let significant = SIGNIFICANT * LONG as f64 / count;
@@ -96,7 +115,7 @@ fn along(outside: &Outside<'_>, chain: Vec<u32>, least: f64) -> Option<CreaseEnd
     };
     let is_along_edges = bend * here.angle.signum() >= OF_EDGES * here.angle.abs();
     let goes_on = is_along_edges && steps().skip(1).all(|step| lasts(fold(step, f64::INFINITY)));
-    let (curvature, curvature_error) = curvature(outside, &chain, here.direction);
+    let (curvature, curvature_error) = curvature(outside, chain, here.direction);
     goes_on.then(|| CreaseEnd {
         vertex: chain[0],
         curvature: curvature.into(),
@@ -105,7 +124,7 @@ fn along(outside: &Outside<'_>, chain: Vec<u32>, least: f64) -> Option<CreaseEnd
         normals: here.normals.map(Into::into),
         angle: here.angle,
         error: here.error,
-        chain: chain.clone(),
+        chains: vec![chain.clone()],
     })
 }
 
@@ -211,7 +230,11 @@ fn chain(outside: &Outside<'_>, v: u32, w: u32, least: f64) -> Vec<u32> {
 fn without_doubles(outside: &Outside<'_>, ends: Vec<CreaseEnd>) -> Vec<CreaseEnd> {
     let certainty = |end: &CreaseEnd| end.angle.abs() / end.error.max(1e-9);
     let near = |end: &CreaseEnd| {
-        let around = end.chain.iter().flat_map(|&v| outside.within(v, 1).vertices);
+        let around = end
+            .chains
+            .iter()
+            .flatten()
+            .flat_map(|&v| outside.within(v, 1).vertices);
         let mut around: Vec<u32> = around.collect();
         around.sort_unstable();
         around
@@ -228,8 +251,8 @@ fn without_doubles(outside: &Outside<'_>, ends: Vec<CreaseEnd>) -> Vec<CreaseEnd
     };
     let is_best = |&i: &usize| {
         let better = |j: usize| {
-            let [is_beyond, goes_beyond] =
-                [(i, j), (j, i)].map(|(a, b)| ends[b].chain.contains(&ends[a].vertex));
+            let [is_beyond, goes_beyond] = [(i, j), (j, i)]
+                .map(|(a, b)| ends[b].chains.iter().any(|chain| chain.contains(&ends[a].vertex)));
             is_beyond || !goes_beyond && certainty(&ends[j]) > certainty(&ends[i])
         };
         !(0..ends.len()).any(|j| j != i && meet(i, j) && is_one_fold(i, j) && better(j))
@@ -310,7 +333,7 @@ mod tests {
             let around = outside.within(*v, 2).vertices;
             !around
                 .iter()
-                .any(|w| outside.is_boundary[*w as usize] || end.chain.contains(w))
+                .any(|w| outside.is_boundary[*w as usize] || end.chains[0].contains(w))
         };
         let near = outside.within(end.vertex, 4).vertices;
         for v in near.into_iter().filter(beside) {

@@ -88,6 +88,13 @@ impl<'a> Outside<'a> {
         size.copysign(left.cross(&right).dot(&edge))
     }
 
+    /// The vertices to which the edges of the boundary lead from `v`, where these are two.
+    pub(super) fn beside(&self, v: u32) -> Option<[u32; 2]> {
+        let mut others = self.neighbours(v);
+        others.retain(|&w| self.normal_left(v, w).is_some() != self.normal_left(w, v).is_some());
+        others.try_into().ok()
+    }
+
     /// The unit normal of the triangle that runs from `a` to `b`.
     fn normal_left(&self, a: u32, b: u32) -> Option<Vector3<f64>> {
         let runs = |tri: &[u32; 3]| (0..3).any(|k| [tri[k], tri[(k + 1) % 3]] == [a, b]);

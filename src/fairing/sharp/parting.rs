@@ -40,7 +40,7 @@ impl PartedProblem {
         (ends, near): (&[&CreaseEnd], Vec<(u32, [f64; 3])>),
     ) -> Self {
         let inside = creases.iter().map(|crease| &crease.path.vertices);
-        let chains = ends.iter().map(|end| &end.chain);
+        let chains = ends.iter().flat_map(|end| &end.chains);
         let steps = inside.chain(chains).flat_map(|chain| chain.windows(2));
         let cut: Vec<[u32; 2]> = steps.map(|step| [step[0], step[1]]).collect();
         let parted = part(positions.len(), triangles, &cut);

@@ -42,14 +42,17 @@ pub(super) struct Sides {
 }
 
 impl Sides {
-    /// The neighbourhood of the first vertices of a chain, parted also along the edges that bend by so much at its ends.
-    pub(super) fn new(outside: &Outside<'_>, chain: &[u32], least: f64) -> Self {
-        let near = outside.within(chain[0], AROUND);
+    /// The neighbourhood of the vertex where chains start, parted along them, and along the edges that bend by so much at their ends.
+    pub(super) fn new(outside: &Outside<'_>, chains: &[Vec<u32>], least: f64) -> Self {
+        let near = outside.within(chains[0][0], AROUND);
         let (mut ids, triangles) = (near.vertices, near.triangles);
         let local = |v: u32| ids.binary_search(&v).ok().map(|l| l as u32);
-        let beyond = beyond(outside, chain, least, |v| local(v).is_some());
-        let chain = chain.windows(2).map(|step| [step[0], step[1]]);
-        let cut: Vec<[u32; 2]> = chain
+        let beyond = chains
+            .iter()
+            .flat_map(|chain| beyond(outside, chain, least, |v| local(v).is_some()));
+        let steps = chains.iter().flat_map(|chain| chain.windows(2));
+        let cut: Vec<[u32; 2]> = steps
+            .map(|step| [step[0], step[1]])
             .chain(beyond)
             .filter_map(|step| Some([local(step[0])?, local(step[1])?]))
             .collect();
@@ -75,10 +78,15 @@ impl Sides {
         Some([fit(left)?, fit(right)?])
     }
 
-    /// Normals at the boundary vertices near to the first one of the chain that are not on it.
-    pub(super) fn boundary_normals(&self, outside: &Outside<'_>, chain: &[u32]) -> Vec<(u32, [f64; 3])> {
-        let mut near = outside.within(chain[0], NEAR).vertices;
-        near.retain(|v| outside.is_boundary[*v as usize] && !chain.contains(v));
+    /// Normals at the boundary vertices near to the first one of the chains that are not on them.
+    pub(super) fn boundary_normals(
+        &self,
+        outside: &Outside<'_>,
+        chains: &[Vec<u32>],
+    ) -> Vec<(u32, [f64; 3])> {
+        let mut near = outside.within(chains[0][0], NEAR).vertices;
+        let is_on = |v: &u32| chains.iter().any(|chain| chain.contains(v));
+        near.retain(|v| outside.is_boundary[*v as usize] && !is_on(v));
         let normal = |v: u32| {
             let local = self.ids.iter().position(|id| *id == v)?;
             Some((v, self.fit(local as u32)?.fit.normal.into()))
