@@ -103,7 +103,7 @@ mod tests {
                 normals: if is_left { [up, outward] } else { [outward, up] },
                 angle: 90.0,
                 error: 0.0,
-                chain: Vec::new(),
+                chains: Vec::new(),
             }
         };
         (0..).zip(of).map(end).collect()
