@@ -13,9 +13,9 @@ use crate::discrete::boundary_normals::angle;
 use crate::fairing::options::Options;
 use crate::fairing::sharp_edge::CreaseEnd;
 
-/// So many standard errors of the fits are no chance: with half as many, 26 of 80 regions of four scans have ends. Of ten right angles in noise of a
-/// tenth of an edge nine are followed from end to end.
-const SIGNIFICANT: f64 = 12.0;
+/// An angle is wider than asked for by so many standard errors of the fits: less may be a fold of what is rough. Of ten right angles in noise of a tenth
+/// of an edge nine are followed from end to end. Half: HALF; double: DOUBLE.
+const SIGNIFICANT: f64 = 20.0;
 /// Fits with larger standard errors tell nothing, degrees.
 const UNCERTAIN: f64 = 9.0;
 /// The edges of a crease bend by this part of the angle between the planes beside it: elsewhere the bends are not on the chain.
@@ -69,7 +69,7 @@ fn end_at(outside: &Outside<'_>, v: u32, least: f64) -> Option<CreaseEnd> {
     let together = (0..chains.len()).filter_map(|k| along(outside, &chains, k, least));
     let corner = <[CreaseEnd; 2]>::try_from(together.collect::<Vec<_>>());
     if let Ok(two) = corner {
-        return third(outside, two).filter(|end| end.angle.abs() >= least.max(SIGNIFICANT * end.error));
+        return third(outside, two).filter(|end| end.angle.abs() >= least + SIGNIFICANT * end.error);
     }
     let mut alone = chains
         .chunks(1)
@@ -107,10 +107,11 @@ fn along(outside: &Outside<'_>, chains: &[Vec<u32>], which: usize, least: f64) -
     // With larger errors an angle is not certain that these bends allow.
     let most = bend.abs() / OF_EDGES / significant;
     let here = fold(&chain[..2], most.to_radians());
-    let here = here.filter(|fold| fold.is_certain(significant) && fold.is_wide(least))?;
+    let here = here.filter(|fold| fold.is_certain(significant, least) && fold.is_wide(least))?;
     let lasts = |fold: Option<Fold>| {
         fold.is_some_and(|fold| {
-            !fold.is_certain(SIGNIFICANT) || fold.angle * here.angle.signum() >= LASTS * here.angle.abs()
+            !fold.is_certain(SIGNIFICANT, least)
+                || fold.angle * here.angle.signum() >= LASTS * here.angle.abs()
         })
     };
     let is_along_edges = bend * here.angle.signum() >= OF_EDGES * here.angle.abs();
@@ -196,9 +197,9 @@ impl Fold {
         self.angle.abs() >= if of_facets { FACETS } else { least }
     }
 
-    /// Whether it is more than so many standard errors.
-    fn is_certain(&self, significant: f64) -> bool {
-        self.error <= UNCERTAIN && self.angle.abs() >= significant * self.error
+    /// Whether it is wider than asked for by so many standard errors.
+    fn is_certain(&self, significant: f64, least: f64) -> bool {
+        self.error <= UNCERTAIN && self.angle.abs() >= least + significant * self.error
     }
 }
 
