@@ -66,6 +66,10 @@ impl SharpEdges {
             near.retain(|(v, _)| !given.has(*v));
             PartedProblem::new((positions, triangles), &is_free, &creases, (&ends, near))
         });
+        let parted = parted.filter(PartedProblem::has_free);
+        if parted.is_none() {
+            told.iter_mut().for_each(SharpEdge::stop);
+        }
         Self { told, parted }
     }
 

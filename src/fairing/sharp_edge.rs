@@ -51,6 +51,14 @@ pub struct SharpEdge {
 }
 
 impl SharpEdge {
+    /// Is not followed after all.
+    pub(crate) fn stop(&mut self) {
+        if !self.vertices.is_empty() {
+            self.fate = SharpFate::NoPath;
+            self.vertices.clear();
+        }
+    }
+
     /// Whether it does not go on, though an end of it is as wide as a crease along the boundary that is no success.
     pub(crate) fn stops_wide(&self) -> bool {
         self.vertices.is_empty() && self.ends.iter().any(|end| end.angle.abs() > KINK)

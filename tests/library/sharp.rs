@@ -254,6 +254,60 @@ fn a_corner_may_be_at_the_boundary() {
     dented_cube_without(is_fixed, |low, _| [low; 3], 0.6, 3);
 }
 
+/// Three quadrants of planes about a corner, the first vertex, from which the diagonals of their cells lead away; the free ones of these places dented.
+fn quadrants(is_free: impl Fn([u32; 3]) -> bool) -> Solution {
+    const N: u32 = 12;
+    let number = |[x, y, z]: [u32; 3]| (x * (N + 1) + y) * (N + 1) + z;
+    let of = |v: &u32| [v / (N + 1) / (N + 1), v / (N + 1) % (N + 1), v % (N + 1)];
+    let cells = (0..3).flat_map(|face| (0..N).flat_map(move |i| (0..N).map(move |j| (face, i, j))));
+    let cell = |(face, i, j): (usize, u32, u32)| {
+        let at = |i: u32, j: u32| {
+            let mut cell = [0; 3];
+            (cell[(face + 1) % 3], cell[(face + 2) % 3]) = (i, j);
+            number(cell)
+        };
+        let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+        [[a, c, b], [a, d, c]]
+    };
+    let mut triangles: Vec<[u32; 3]> = cells.flat_map(cell).collect();
+    let mut ids: Vec<u32> = triangles.iter().flatten().copied().collect();
+    ids.sort_unstable();
+    ids.dedup();
+    let local = |v: &u32| ids.binary_search(v).unwrap() as u32;
+    triangles.iter_mut().flatten().for_each(|v| *v = local(v));
+    let free: Vec<bool> = ids.iter().map(|v| is_free(of(v))).collect();
+    let dented = |v: &u32| of(v).map(|x| f64::from(x) + if is_free(of(v)) { 0.3 } else { 0.0 });
+    let positions: Vec<[f64; 3]> = ids.iter().map(dented).collect();
+    fair(&positions, &triangles, Selection::Mask(&free), &sharp_options()).unwrap()
+}
+
+/// Two edges end outside in a corner at the boundary; the third one leads from there through the region.
+#[test]
+fn a_corner_at_the_boundary_starts_an_edge() {
+    let solution = quadrants(|place| matches!(place, [0, 0, 1..5] | [0, 1..3, 3..5]));
+    let [edge] = &solution.report.sharp_edges[..] else {
+        panic!("{:?}", solution.report.sharp_edges);
+    };
+    assert_eq!(edge.fate, SharpFate::GoesOn);
+    let ends = edge.ends.iter().map(|end| (end.vertex, end.chains.len()));
+    assert_eq!(ends.collect::<Vec<_>>(), [(0, 2), (5, 1)]);
+    assert_success(&solution.report.outcome);
+    let off = |p: &[f64; 3]| p.iter().copied().fold(f64::MAX, f64::min).abs();
+    assert_below!(solution.positions.iter().map(off).fold(0.0, f64::max), 1e-9);
+}
+
+/// Nothing is left to be solved, and there is no problem without free vertices.
+#[test]
+fn vertices_of_an_edge_alone_are_told_to_have_no_path() {
+    let edges = quadrants(|place| matches!(place, [0, 0, 1..5]))
+        .report
+        .sharp_edges;
+    assert_eq!(
+        edges.iter().map(|edge| edge.fate).collect::<Vec<_>>(),
+        [SharpFate::NoPath]
+    );
+}
+
 /// A pyramid on a square, each side in planes of slope `down`, and which vertices are near to its top.
 fn pyramid(down: f64) -> (Vec<[f64; 3]>, Vec<[u32; 3]>, Vec<bool>) {
     const N: u32 = 24;

@@ -66,6 +66,11 @@ impl PartedProblem {
         problem
     }
 
+    /// Whether anything is left to be solved beside the creases.
+    pub(super) fn has_free(&self) -> bool {
+        self.is_free.contains(&true)
+    }
+
     /// Its components.
     pub(crate) fn prepared(&self, options: &Options) -> Result<Vec<Prepared>, Error> {
         let mut normals = match &options.boundary_normals {
