@@ -6,8 +6,9 @@ use super::curve::{Curve, CurvePoint, between_points};
 use crate::fairing::sharp_edge::CreaseEnd;
 
 /// A crease's curvature is off those at its ends by no more turn over its length, radians: it is none where something unseen is between them.
+/// Half: one of 33 holes is no success; double: of 165 regions across edges of parts one more is a false success.
 const VARIATION: f64 = 1.6;
-/// After so many standard errors of the curvature are taken off.
+/// After so many standard errors of the curvature are taken off. Half: of 66 holes and regions of parts none changes.
 const CERTAIN: f64 = 2.0;
 
 /// Where a crease inside the region begins or ends.

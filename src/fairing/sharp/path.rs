@@ -4,7 +4,7 @@
 //! above or below it, so that only the distance across the crease tells which vertices are near to it.
 
 use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use std::collections::{BinaryHeap, HashSet};
 use std::sync::Arc;
 
 use fairmesh_linear::cholesky::{Cholesky, SolveWork};
@@ -18,14 +18,15 @@ use crate::mesh::NONE;
 use crate::solve::Domain;
 
 /// What an edge on the crease costs, in those that are one edge off it.
-const ON_CREASE: f64 = 0.25;
+/// A path is looked for with each of these: with the first alone, of 297 regions across edges of parts eight fewer are good.
+const ON_CREASE: [f64; 2] = [0.25, 4.0];
 /// Edges of a path, spread along the crease, are no longer or shorter than those around by this factor.
 const STRETCH: f64 = 2.5;
 
 /// The membrane of a region, and which of its vertices paths have taken.
 pub(super) struct Membrane<'a> {
     domain: &'a Domain,
-    /// Of free and boundary vertices, as the caller places these.
+    /// Of free and boundary vertices, and those around, as the caller places these.
     x: Vec<Vector3<f64>>,
     /// The mean length of the boundary's edges.
     edge: f64,
@@ -35,6 +36,8 @@ pub(super) struct Membrane<'a> {
 /// The vertices that are to lie on a crease.
 pub(super) struct Path {
     pub(super) vertices: Vec<u32>,
+    /// The same in numbers of the region.
+    own: Vec<u32>,
     /// Which part of the crease's length is before each.
     pub(super) parts: Vec<f64>,
 }
@@ -48,9 +51,8 @@ struct Reach {
 impl<'a> Membrane<'a> {
     pub(super) fn new(domain: &'a Domain, positions: &[[f64; 3]]) -> Option<Self> {
         let region = &domain.region;
-        let own = &region.vertex_ids[..region.region_vertices()];
-        let mut x: Vec<Vector3<f64>> = own.iter().map(|&v| positions[v as usize].into()).collect();
-        relax(domain, &mut x)?;
+        let mut x = region.positions(positions);
+        relax(domain, &mut x, &vec![false; region.free])?;
         let edges = domain.rings.boundary_half_edges.iter().map(|&h| {
             let ends = [region.half_edges.origin(h), region.half_edges.target(h)];
             (x[ends[0] as usize] - x[ends[1] as usize]).norm()
@@ -63,10 +65,60 @@ impl<'a> Membrane<'a> {
         })
     }
 
-    /// The paths of a group's creases; `None` where there is none for one of them.
+    /// The paths of a group's creases beside which the fewest triangles fold; `None` where there is none for one of them.
     pub(super) fn paths(&mut self, group: &Group) -> Option<Vec<Path>> {
+        let before = self.taken.clone();
+        let mut tried = Vec::new();
+        for on_crease in ON_CREASE {
+            self.taken.clone_from(&before);
+            let paths = self.paths_where(group, on_crease);
+            tried.extend(paths.and_then(|paths| Some((self.folds(group, &paths)?, paths))));
+        }
+        self.taken = before;
+        let (_, paths) = tried.into_iter().min_by_key(|(folds, _)| *folds)?;
+        let taken = paths.iter().flat_map(|path| &path.own);
+        taken.for_each(|&v| self.taken[v as usize] = true);
+        Some(paths)
+    }
+
+    /// How many edges fold where the vertices of paths are on the creases, and the others the means of their neighbours.
+    fn folds(&self, group: &Group, paths: &[Path]) -> Option<usize> {
+        let region = &self.domain.region;
+        let half_edges = &region.half_edges;
+        let mut x = self.x.clone();
+        let mut is_placed = vec![false; region.free];
+        let mut cut = HashSet::new();
+        for (branch, path) in group.branches.iter().zip(paths) {
+            let steps = path.own.windows(2);
+            cut.extend(steps.flat_map(|step| [[step[0], step[1]], [step[1], step[0]]]));
+            let free = path
+                .own
+                .iter()
+                .zip(&path.parts)
+                .filter(|(v, _)| region.is_free(**v));
+            for (&v, &part) in free {
+                is_placed[v as usize] = true;
+                x[v as usize] = branch.curve.at(part).at;
+            }
+        }
+        relax(self.domain, &mut x, &is_placed)?;
+        let normal = |h: u32| {
+            let [a, b, c] = half_edges.corners(h).map(|v| x[v as usize]);
+            (b - a).cross(&(c - a))
+        };
+        let is_folded = |&h: &u32| {
+            let opposite = half_edges.opposite[h as usize];
+            let is_cut = cut.contains(&[half_edges.origin(h), half_edges.target(h)]);
+            opposite != NONE && !is_cut && normal(h).dot(&normal(opposite)) < 0.0
+        };
+        let all = 0..3 * half_edges.region_triangles as u32;
+        Some(all.filter(is_folded).count())
+    }
+
+    /// The paths where an edge on a crease costs so much.
+    fn paths_where(&mut self, group: &Group, on_crease: f64) -> Option<Vec<Path>> {
         let costs: Vec<Vec<f64>> = group.branches.iter().map(|branch| self.costs(branch)).collect();
-        let corners = self.corners(group, &costs)?;
+        let corners = self.corners(group, &costs, on_crease)?;
         let at = |knot: Knot| match knot {
             Knot::End(vertex) => self.local(vertex),
             Knot::Corner(corner) => Some(corners[corner]),
@@ -78,18 +130,21 @@ impl<'a> Membrane<'a> {
         let knots = knots.collect::<Option<Vec<[u32; 2]>>>()?;
         let mut paths = Vec::new();
         for ((branch, costs), [from, to]) in group.branches.iter().zip(&costs).zip(knots) {
-            let path = self.path([from, to], branch, costs)?;
+            let path = self.path([from, to], branch, (costs, on_crease))?;
             let parts = self.parts(&path, branch)?;
             path.iter().for_each(|&v| self.taken[v as usize] = true);
             let ids = &self.domain.region.vertex_ids;
-            let vertices = path.into_iter().map(|v| ids[v as usize]).collect();
-            paths.push(Path { vertices, parts });
+            paths.push(Path {
+                vertices: path.iter().map(|&v| ids[v as usize]).collect(),
+                own: path,
+                parts,
+            });
         }
         Some(paths)
     }
 
     /// The path of a crease: along fixed vertices that are on it from both ends, and cheaply between these.
-    fn path(&self, [from, to]: [u32; 2], branch: &Branch, costs: &[f64]) -> Option<Vec<u32>> {
+    fn path(&self, [from, to]: [u32; 2], branch: &Branch, costs: (&[f64], f64)) -> Option<Vec<u32>> {
         let mut path = self.along_fixed(from, branch, 1.0);
         let mut end = self.along_fixed(to, branch, -1.0);
         end.reverse();
@@ -148,12 +203,17 @@ impl<'a> Membrane<'a> {
         Some(parts)
     }
 
+    /// The places of free and boundary vertices.
+    fn own(&self) -> &[Vector3<f64>] {
+        &self.x[..self.domain.region.region_vertices()]
+    }
+
     /// Which fixed vertices are on a crease.
     fn on(&self, branch: &Branch) -> Vec<bool> {
         let near = |(v, x): (usize, &Vector3<f64>)| {
             !self.domain.region.is_free(v as u32) && branch.part_of(x, self.edge).is_some()
         };
-        self.x.iter().enumerate().map(near).collect()
+        self.own().iter().enumerate().map(near).collect()
     }
 
     /// The fixed vertex at a point, if one is there.
@@ -181,11 +241,11 @@ impl<'a> Membrane<'a> {
                 .min_by(|a, b| (x - a.0).norm_squared().total_cmp(&(x - b.0).norm_squared()));
             near.map_or(0.0, |(at, across)| ((x - at).dot(across) / self.edge).powi(2))
         };
-        self.x.iter().map(off).collect()
+        self.own().iter().map(off).collect()
     }
 
     /// The vertices to which the creases come cheapest that have a corner in common, corner by corner: a fixed one where one is in the corner.
-    fn corners(&self, group: &Group, costs: &[Vec<f64>]) -> Option<Vec<u32>> {
+    fn corners(&self, group: &Group, costs: &[Vec<f64>], on_crease: f64) -> Option<Vec<u32>> {
         let mut corners = Vec::new();
         loop {
             let knot = Knot::Corner(corners.len());
@@ -195,7 +255,7 @@ impl<'a> Membrane<'a> {
                 let (Knot::End(vertex), true) = (branch.from, branch.to == knot) else {
                     continue;
                 };
-                let reach = self.reach(self.local(vertex)?, NONE, costs, &self.on(branch));
+                let reach = self.reach(self.local(vertex)?, NONE, (costs, on_crease), &self.on(branch));
                 let corner = branch.curve.at(1.0).at;
                 let way = |v: usize| reach.cost[v] + (self.x[v] - corner).norm() / self.edge;
                 sum.iter_mut().enumerate().for_each(|(v, sum)| *sum += way(v));
@@ -217,7 +277,7 @@ impl<'a> Membrane<'a> {
     }
 
     /// Dijkstra's shortest paths from a vertex over those that are free or on the crease, and not taken, until `to` is reached.
-    fn reach(&self, from: u32, to: u32, off: &[f64], on: &[bool]) -> Reach {
+    fn reach(&self, from: u32, to: u32, (off, on_crease): (&[f64], f64), on: &[bool]) -> Reach {
         let mut reach = Reach {
             cost: vec![f64::INFINITY; self.x.len()],
             before: vec![NONE; self.x.len()],
@@ -244,7 +304,7 @@ impl<'a> Membrane<'a> {
                     + if is_crease {
                         0.0
                     } else {
-                        length * (ON_CREASE + mean)
+                        length * (on_crease + mean)
                     };
                 if cost < reach.cost[w as usize] {
                     reach.cost[w as usize] = cost;
@@ -284,20 +344,35 @@ impl Reach {
     }
 }
 
-/// Moves every free vertex to the mean of its neighbours; `None` where that is not determined.
-fn relax(domain: &Domain, x: &mut [Vector3<f64>]) -> Option<()> {
+/// Moves every free vertex but those that are placed to the mean of its neighbours; `None` where that is not determined.
+fn relax(domain: &Domain, x: &mut [Vector3<f64>], is_placed: &[bool]) -> Option<()> {
     let (rings, free) = (&domain.rings, domain.region.free);
     let graph = rings.graph();
     let order = fill_reducing(&graph, &graph, 1, None);
     let mut factor = Cholesky::<f64>::new(Arc::new(Symbolic::new(&graph, &order)));
     let mut values = vec![-1.0; graph.column.len()];
     for v in 0..free {
-        values[graph.start[v + 1] - 1] = rings.ring(v).len() as f64;
+        let row = graph.start[v]..graph.start[v + 1];
+        for k in row
+            .clone()
+            .filter(|&k| is_placed[v] || is_placed[graph.column[k] as usize])
+        {
+            values[k] = 0.0;
+        }
+        values[row.end - 1] = if is_placed[v] {
+            1.0
+        } else {
+            rings.ring(v).len() as f64
+        };
     }
     factor.factor(&values).ok()?;
-    let fixed = |v: usize| rings.ring(v).iter().filter(|w| !domain.region.is_free(**w));
-    let right = (0..free).map(|v| fixed(v).map(|&w| x[w as usize]).sum::<Vector3<f64>>().into());
-    let mut solution: Vec<[f64; 3]> = right.collect();
+    let is_fixed = |w: u32| !domain.region.is_free(w) || is_placed[w as usize];
+    let fixed = |v: usize| rings.ring(v).iter().filter(|w| is_fixed(**w));
+    let right = |v: usize| match is_placed[v] {
+        true => x[v],
+        false => fixed(v).map(|&w| x[w as usize]).sum(),
+    };
+    let mut solution: Vec<[f64; 3]> = (0..free).map(|v| right(v).into()).collect();
     factor.solve(&mut solution, &mut SolveWork::default());
     for (x, p) in x.iter_mut().zip(&solution) {
         *x = (*p).into();
