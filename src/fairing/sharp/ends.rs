@@ -14,8 +14,8 @@ use crate::fairing::options::Options;
 use crate::fairing::sharp_edge::CreaseEnd;
 
 /// An angle is wider than asked for by so many standard errors of the fits: less may be a fold of what is rough. Of ten right angles in noise of a tenth
-/// of an edge nine are followed from end to end. Half: of 240
-/// regions of scans three have edges, and of 165 regions across edges of parts one is a false success; double: one of 33 holes is no success.
+/// of an edge nine are followed from end to end. Half: of 80
+/// regions of scans one has an edge, and of 165 regions across edges of parts one is a false success; double: one of 33 holes is no success.
 const SIGNIFICANT: f64 = 20.0;
 /// Fits with larger standard errors tell nothing, degrees.
 const UNCERTAIN: f64 = 9.0;
@@ -66,10 +66,7 @@ fn end_at(outside: &Outside<'_>, v: u32, least: f64) -> Option<CreaseEnd> {
     let chains: Vec<Vec<u32>> = chains
         .filter(|chain| leads_out(chain) && mean_bend(outside, chain).abs() >= OF_EDGES * least)
         .collect();
-    // Both sides of a chain reach as far as the others, where these are creases, too.
-    let together = (0..chains.len()).filter_map(|k| along(outside, &chains, k, least));
-    let corner = <[CreaseEnd; 2]>::try_from(together.collect::<Vec<_>>());
-    if let Ok(two) = corner {
+    if let Some(two) = both(outside, &chains, least) {
         return third(outside, two).filter(|end| end.angle.abs() >= least + SIGNIFICANT * end.error);
     }
     let mut alone = chains
@@ -77,6 +74,15 @@ fn end_at(outside: &Outside<'_>, v: u32, least: f64) -> Option<CreaseEnd> {
         .filter_map(|chain| along(outside, chain, 0, least));
     let end = alone.next()?;
     alone.next().is_none().then_some(end)
+}
+
+/// The creases along two chains, each of whose sides reach as far as the other.
+fn both(outside: &Outside<'_>, chains: &[Vec<u32>], least: f64) -> Option<[CreaseEnd; 2]> {
+    let end = |k: usize| along(outside, chains, k, least);
+    if chains.len() != 2 {
+        return None;
+    }
+    Some([end(0)?, end(1)?])
 }
 
 /// The mean bend of the edges that tell a crease along a chain.
@@ -106,7 +112,7 @@ fn along(outside: &Outside<'_>, chains: &[Vec<u32>], which: usize, least: f64) -
     let fold = |step: &[u32], most: f64| Fold::of(sides.fits(step[0], step[1], most)?, outward);
     let significant = SIGNIFICANT * LONG as f64 / count;
     // With larger errors an angle is not certain that these bends allow.
-    let most = bend.abs() / OF_EDGES / significant;
+    let most = (bend.abs() / OF_EDGES - least) / significant;
     let here = fold(&chain[..2], most.to_radians());
     let here = here.filter(|fold| fold.is_certain(significant, least) && fold.is_wide(least))?;
     let lasts = |fold: Option<Fold>| {
