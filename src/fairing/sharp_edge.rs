@@ -12,7 +12,7 @@ pub struct CreaseEnd {
     pub direction: [f64; 3],
     /// Curvature of the crease there, by its tangent's turn per length, in the unit of the positions; 0 where its vertices outside do not tell.
     pub curvature: [f64; 3],
-    /// The standard error of the curvature; infinite where the vertices outside are too few to tell.
+    /// How far the curvature may be off; infinite where the vertices outside are too few to tell.
     pub(crate) curvature_error: f64,
     /// Unit normals of the surface left and right of it.
     pub normals: [[f64; 3]; 2],

@@ -2,11 +2,13 @@
 
 use nalgebra::Vector3;
 
+use super::branch::between_planes;
 use super::outside::Outside;
 use crate::discrete::boundary_normals::angle;
 use crate::fairing::sharp_edge::CreaseEnd;
 
 /// The third crease leads into the region, not past it: the cosine of its angle with the middle of the region is no less.
+/// Half: of 165 regions across edges of parts none changes; double: one fewer is good.
 const INWARD: f64 = 0.2;
 
 /// The crease between the sides that the two at a boundary vertex do not have in common; `None` where it is not certain where that leads.
@@ -22,16 +24,15 @@ pub(super) fn third(outside: &Outside<'_>, [a, b]: [CreaseEnd; 2]) -> Option<Cre
         return None;
     }
     let normals = [normal(&left, 0), normal(&right, 1)];
-    let along = normals[0].cross(&normals[1]).try_normalize(0.1)?;
-    let cosine = along.dot(&inward(outside, left.vertex)?);
-    let ridge = cosine.signum();
-    (cosine.abs() >= INWARD).then(|| CreaseEnd {
+    let inward = inward(outside, left.vertex)?;
+    let (tangent, angle) = between_planes(&normals, &inward)?;
+    (tangent.dot(&inward) >= INWARD).then(|| CreaseEnd {
         vertex: left.vertex,
-        direction: (along * ridge).into(),
+        direction: tangent.into(),
         curvature: [0.0; 3],
         curvature_error: f64::INFINITY,
         normals: normals.map(Into::into),
-        angle: angle(&normals[0], &normals[1]).to_degrees() * ridge,
+        angle,
         error: libm::hypot(left.error, right.error),
         chains: [left.chains, right.chains].concat(),
     })

@@ -3,13 +3,12 @@
 use nalgebra::Vector3;
 
 use super::curve::{Curve, CurvePoint, between_points};
+use crate::discrete::boundary_normals::angle;
 use crate::fairing::sharp_edge::CreaseEnd;
 
 /// A crease's curvature is off those at its ends by no more turn over its length, radians: it is none where something unseen is between them.
 /// Half: one of 33 holes is no success; double: of 165 regions across edges of parts one more is a false success.
 const VARIATION: f64 = 1.6;
-/// After so many standard errors of the curvature are taken off. Half: of 66 holes and regions of parts none changes.
-const CERTAIN: f64 = 2.0;
 
 /// Where a crease inside the region begins or ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,7 +26,7 @@ pub(super) struct Arrival {
     /// With the tangent on its way into the region.
     pub(super) point: CurvePoint,
     pub(super) curvature: Vector3<f64>,
-    /// The standard error of it.
+    /// How far it may be off.
     pub(super) curvature_error: f64,
     /// Unit normals left and right.
     pub(super) normals: [Vector3<f64>; 2],
@@ -49,6 +48,16 @@ impl Arrival {
             angle: end.angle,
         }
     }
+}
+
+/// The unit tangent of the crease between planes with unit normals left and right of it, which leads about there, and its angle, degrees.
+pub(super) fn between_planes(
+    [left, right]: &[Vector3<f64>; 2],
+    way: &Vector3<f64>,
+) -> Option<(Vector3<f64>, f64)> {
+    let along = left.cross(right).try_normalize(0.1)?;
+    let ridge = along.dot(way).signum();
+    Some((along * ridge, angle(left, right).to_degrees() * ridge))
 }
 
 /// A crease from one knot to another.
@@ -115,7 +124,7 @@ impl Branch {
         let mut sum = 0.0;
         for (own, arrival) in own.iter().zip(arrivals) {
             let off = (own - arrival.curvature).norm();
-            if (off - CERTAIN * arrival.curvature_error) * self.curve.length > VARIATION {
+            if (off - arrival.curvature_error) * self.curve.length > VARIATION {
                 return None;
             }
             sum += (off * self.curve.length).powi(2);

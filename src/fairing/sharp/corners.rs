@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::branch::{Arrival, Branch, Knot};
+use super::branch::{Arrival, Branch, Knot, between_planes};
 use super::curve::{Curve, CurvePoint};
 use super::group::{Group, UNLIKE};
 use crate::discrete::boundary_normals::angle;
@@ -82,16 +82,14 @@ impl HalfCorner {
     fn third(&self, corner: usize, to: &Vector3<f64>) -> Option<Arrival> {
         let way = (to - self.at).try_normalize(0.0)?;
         let [left, right] = self.beside();
-        let along = left.cross(&right).try_normalize(0.1)?;
-        let ridge = along.dot(&way).signum();
-        let tangent = along * ridge;
+        let (tangent, bend) = between_planes(&[left, right], &way)?;
         (angle(&tangent, &way) <= UNLIKE.to_radians()).then(|| Arrival {
             knot: Knot::Corner(corner),
             point: CurvePoint { at: self.at, tangent },
             curvature: Vector3::zeros(),
             curvature_error: f64::INFINITY,
             normals: [left, right],
-            angle: angle(&left, &right).to_degrees() * ridge,
+            angle: bend,
         })
     }
 

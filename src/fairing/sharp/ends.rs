@@ -14,8 +14,8 @@ use crate::fairing::options::Options;
 use crate::fairing::sharp_edge::CreaseEnd;
 
 /// An angle is wider than asked for by so many standard errors of the fits: less may be a fold of what is rough. Of ten right angles in noise of a tenth
-/// of an edge nine are followed from end to end. Half: of 80
-/// regions of scans one has an edge, and of 165 regions across edges of parts one is a false success; double: one of 33 holes is no success.
+/// of an edge nine are followed from end to end. Half: of 80 regions of scans one has an edge, and of 165 regions across edges of parts one is a false
+/// success; double: one of 33 holes is no success.
 const SIGNIFICANT: f64 = 20.0;
 /// Fits with larger standard errors tell nothing, degrees.
 const UNCERTAIN: f64 = 9.0;
@@ -34,6 +34,9 @@ const STRAIGHT: usize = 4;
 /// A curvature of fewer standard errors is none.
 /// Half or double, of 60 parts: none changes.
 const BENT: f64 = 6.0;
+/// A curvature is taken to be off by no more standard errors. Half: of 66 holes and regions of parts none changes; three times as many: of 165 regions
+/// across edges of parts one more is a false success.
+const CERTAIN: f64 = 2.0;
 /// Where a side is one strip of triangles, its facets may be those of something round: only wider ones are taken for planes unless less is asked for,
 /// degrees: between an octagon's and a hexagon's. Half: tubes of 10 and 12 sides have an edge at every vertex, of 66 regions across edges of parts one
 /// is nearer and one less near; double: two edges of 72 degrees around a strip of one triangle are not found, and of those regions two are no success.
@@ -137,7 +140,8 @@ fn along(outside: &Outside<'_>, chains: &[Vec<u32>], which: usize, least: f64) -
 }
 
 /// The curvature at the first vertex of a chain, of the curve through its vertices with this tangent there, against which they run: by least
-/// squares, `x(s) = x + t s + k s^2 / 2 + d s^3 / 6`. Zero where the vertices are not that near to it. And its standard error.
+/// squares, `x(s) = x + t s + k s^2 / 2 + d s^3 / 6`. Zero where the vertices are not that near to it. And
+/// how far it may be off.
 fn curvature(outside: &Outside<'_>, chain: &[u32], tangent: Vector3<f64>) -> (Vector3<f64>, f64) {
     let from = outside.position(chain[0]);
     let mut s = 0.0;
@@ -169,7 +173,7 @@ fn curvature(outside: &Outside<'_>, chain: &[u32], tangent: Vector3<f64>) -> (Ve
     let error = (square / (samples.len() - 2) as f64 * inverse[(0, 0)]).sqrt();
     let k = found.row(0).transpose();
     let is_bent = k.norm() > BENT * error;
-    (if is_bent { k } else { Vector3::zeros() }, error)
+    (if is_bent { k } else { Vector3::zeros() }, CERTAIN * error)
 }
 
 /// How the surface is folded at a vertex of a crease.

@@ -1,7 +1,7 @@
 //! Which ends of creases belong together: pairs, corners, and those that fit nothing.
 //!
-//! All ways to group them are looked at, and the one is taken whose curves bend least, where an end alone costs as much as a curve that turns
-//! by about 200 degrees. Who fits whom is asked of convexity and angles, too.
+//! All ways to group them are looked at, and the one is taken whose curves agree best with the curvatures at their ends, where an end alone costs
+//! as much as a straight end of a curve that turns by about 140 degrees. Who fits whom is asked of convexity and angles, too.
 
 use super::branch::{Arrival, Branch};
 use super::corners::{corner, half_corner, two_corners};

@@ -148,8 +148,10 @@ impl<'a> Membrane<'a> {
         let mut path = self.along_fixed(from, branch, 1.0);
         let mut end = self.along_fixed(to, branch, -1.0);
         end.reverse();
-        if let Some(k) = path.iter().position(|v| *v == end[0]) {
+        let meets = (0..path.len()).find_map(|k| Some((k, end.iter().position(|v| *v == path[k])?)));
+        if let Some((k, e)) = meets {
             path.truncate(k);
+            end.drain(..e);
         } else {
             let reach = self.reach(path.pop()?, end[0], costs, &self.on(branch));
             path.extend(self.shortened(reach.path(end[0])?));
