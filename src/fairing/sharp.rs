@@ -1,5 +1,6 @@
 //! Sharp edges that reach the boundary of a region: boundary data, which goes on inside.
 
+mod along_chain;
 mod boundary_corner;
 mod branch;
 mod corners;

@@ -120,6 +120,9 @@ impl Branch {
     /// How far the curvature of the curve is off those at its ends, as turns over its length, squared and summed; `None` where one is certainly off by
     /// too much.
     pub(super) fn variation(&self, arrivals: &[&Arrival]) -> Option<f64> {
+        if self.curve.length == 0.0 {
+            return Some(0.0);
+        }
         let own = self.curve.curvatures();
         let mut sum = 0.0;
         for (own, arrival) in own.iter().zip(arrivals) {

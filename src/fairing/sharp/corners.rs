@@ -15,6 +15,9 @@ const ASKEW: f64 = 30.0;
 /// Half or double, of 60 parts: none changes.
 const APPROACHES: usize = 8;
 
+/// A corner this near to one of its ends, of the sum of its distances from all, is there.
+const AT: f64 = 0.02;
+
 /// Creases that run to a point. Between two that are neighbours lies one side of the corner, which has one plane there.
 pub(super) fn corner(arrivals: &[Arrival], of: &[usize]) -> Option<Group> {
     let own: Vec<&Arrival> = of.iter().map(|&e| &arrivals[e]).collect();
@@ -154,6 +157,12 @@ impl Side {
     }
 }
 
+/// Whether creases run to a point.
+pub(super) fn is_meeting(arrivals: &[Arrival], of: &[usize]) -> bool {
+    let own: Vec<&Arrival> = of.iter().map(|&e| &arrivals[e]).collect();
+    meeting(&own).is_some()
+}
+
 /// Creases to the point where they meet, and how much their curvatures vary.
 fn meeting(arrivals: &[&Arrival]) -> Option<(Vec<Branch>, f64)> {
     let at = meeting_point(arrivals)?;
@@ -176,13 +185,24 @@ fn meeting_point(arrivals: &[&Arrival]) -> Option<Vector3<f64>> {
             *line = curve.at(curve.nearest(&point).0);
         }
     }
-    let point = nearest_point(&lines)?;
+    let point = at_an_end(nearest_point(&lines)?, arrivals);
     let is_before = |arrival: &&Arrival| {
         let to = point - arrival.point.at;
         let bend = arrival.curvature.norm() * to.norm();
         angle(&arrival.point.tangent, &to) < ASKEW.to_radians() + 0.5 * bend
     };
     arrivals.iter().all(is_before).then_some(point)
+}
+
+/// The end that this point is at, or itself: a crease may run along the boundary into the corner.
+fn at_an_end(point: Vector3<f64>, arrivals: &[&Arrival]) -> Vector3<f64> {
+    let off = |arrival: &&Arrival| (arrival.point.at - point).norm();
+    let sum: f64 = arrivals.iter().map(off).sum();
+    let is_at = |arrival: &&&Arrival| off(arrival) < AT * sum;
+    arrivals
+        .iter()
+        .find(is_at)
+        .map_or(point, |arrival| arrival.point.at)
 }
 
 /// The point nearest to lines.

@@ -39,6 +39,9 @@ impl Curve {
     /// From one end to the other, with these tangents; `None` where none is found.
     pub(super) fn between(start: CurvePoint, end: CurvePoint) -> Option<Self> {
         let chord = (end.at - start.at).norm();
+        if chord == 0.0 {
+            return None;
+        }
         let mut curve = Self::arc(start, end.at)?;
         let [u, v] = tangents(&end.tangent);
         let miss = |curve: &Self| {
@@ -80,13 +83,14 @@ impl Curve {
         }
     }
 
-    /// The circle from an end with its tangent to a point; `None` to one that lies straight behind it.
+    /// The circle from an end with its tangent to a point, where it may be already; `None` to one that lies straight behind
+    /// it.
     pub(super) fn arc(start: CurvePoint, to: Vector3<f64>) -> Option<Self> {
         let chord = to - start.at;
         let half = angle(&start.tangent, &chord);
         let axis = start.tangent.cross(&chord).try_normalize(1e-12 * chord.norm());
         let stretch = if half < 1e-6 { 1.0 } else { half / libm::sin(half) };
-        (chord.norm() > 0.0 && half < 3.0).then(|| Self {
+        (half < 3.0).then(|| Self {
             start,
             turning: [axis.unwrap_or_default() * (2.0 * half), Vector3::zeros()],
             length: chord.norm() * stretch,
@@ -131,7 +135,8 @@ impl Curve {
         let points = self.points();
         let pieces = points.windows(2).enumerate().map(|(k, ends)| {
             let chord = ends[1].at - ends[0].at;
-            let share = ((x - ends[0].at).dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
+            let share = (x - ends[0].at).dot(&chord) / chord.norm_squared().max(f64::MIN_POSITIVE);
+            let share = share.clamp(0.0, 1.0);
             let off = (ends[0].at + chord * share - x).norm();
             ((k as f64 + share) / PIECES as f64, off)
         });

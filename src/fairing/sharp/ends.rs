@@ -24,7 +24,7 @@ const UNCERTAIN: f64 = 9.0;
 const OF_EDGES: f64 = 0.6;
 /// So many edges tell a crease; of fewer, before a corner, more certainty is asked in proportion.
 /// Half: of 60 parts none changes; double: 2 change, and 2 of 80 regions of scans have ends in place of 5.
-const LONG: usize = 5;
+pub(super) const LONG: usize = 5;
 /// Along them its angle, where it is certain, is no less than this part of that at the boundary: else it is a fold that runs out.
 /// Half: none of 60 parts and 80 regions of scans changes; double: 53 parts have no ends.
 const LASTS: f64 = 0.7;
@@ -107,16 +107,16 @@ pub(super) fn bent(outside: &Outside<'_>, v: u32, least: f64) -> Vec<u32> {
 /// The end of a crease along one of the chains at a vertex, if there is one.
 fn along(outside: &Outside<'_>, chains: &[Vec<u32>], which: usize, least: f64) -> Option<CreaseEnd> {
     let chain = &chains[which];
-    let steps = || chain.windows(2).take(LONG);
-    let count = steps().count() as f64;
+    let steps = (chain.len() - 1).min(LONG);
+    let count = steps as f64;
     let bend = mean_bend(outside, chain);
     let sides = Sides::new(outside, chains, least);
     let outward = outside.position(chain[chain.len().min(3) - 1]) - outside.position(chain[0]);
-    let fold = |step: &[u32], most: f64| Fold::of(sides.fits(step[0], step[1], most)?, outward);
+    let fold = |step: usize, most: f64| Fold::of(sides.fits(&chain[step..], most)?, outward);
     let significant = SIGNIFICANT * LONG as f64 / count;
     // With larger errors an angle is not certain that these bends allow.
     let most = (bend.abs() / OF_EDGES - least) / significant;
-    let here = fold(&chain[..2], most.to_radians());
+    let here = fold(0, most.to_radians());
     let here = here.filter(|fold| fold.is_certain(significant, least) && fold.is_wide(least))?;
     let lasts = |fold: Option<Fold>| {
         fold.is_some_and(|fold| {
@@ -125,7 +125,7 @@ fn along(outside: &Outside<'_>, chains: &[Vec<u32>], which: usize, least: f64) -
         })
     };
     let is_along_edges = bend * here.angle.signum() >= OF_EDGES * here.angle.abs();
-    let goes_on = is_along_edges && steps().skip(1).all(|step| lasts(fold(step, f64::INFINITY)));
+    let goes_on = is_along_edges && (1..steps).all(|step| lasts(fold(step, f64::INFINITY)));
     let (curvature, curvature_error) = curvature(outside, chain, here.direction);
     goes_on.then(|| CreaseEnd {
         vertex: chain[0],
@@ -380,6 +380,34 @@ mod tests {
                     assert_below!(off.norm(), 0.1);
                 }
             }
+        }
+    }
+
+    /// A plate with a round hole whose wall is one strip of triangles, and where some vertices of its rim are free.
+    #[test]
+    fn a_wall_of_one_strip_has_the_normals_of_its_triangles() {
+        let count = 24;
+        let at = |v: u32| {
+            let (sin, cos) = libm::sincos(f64::from(v % count) * std::f64::consts::TAU / f64::from(count));
+            let [radius, z] = [[2.0, 0.0], [1.0, 0.0], [1.0, -1.0]][(v / count) as usize];
+            [radius * cos, radius * sin, z]
+        };
+        let quads =
+            (0..2).flat_map(|i| (0..count).map(move |j| [i * count + j, i * count + (j + 1) % count]));
+        let triangles = quads.flat_map(|[a, b]| [[a, b, b + count], [a, b + count, a + count]]);
+        let x: Vec<[f64; 3]> = (0..3 * count).map(at).collect();
+        let free: Vec<bool> = (0..3 * count).map(|v| (count..count + 4).contains(&v)).collect();
+        let triangles: Vec<[u32; 3]> = triangles.collect();
+        let ends = crease_ends(&Outside::new(&x, &triangles, &free), Options::SHARP_AUTO);
+        let [first, last] = [count + 4, 2 * count - 1];
+        assert_eq!(
+            ends.iter().map(|end| end.vertex).collect::<Vec<_>>(),
+            [first, last]
+        );
+        for end in &ends {
+            let [x, y, _] = x[end.vertex as usize];
+            assert_near!(end.angle.abs(), 90.0, 1e-9);
+            assert_near!(end.direction[0] * x + end.direction[1] * y, 0.0, 1e-9);
         }
     }
 

@@ -3,16 +3,18 @@
 //! All ways to group them are looked at, and the one is taken whose curves agree best with the curvatures at their ends, where an end alone costs
 //! as much as a straight end of a curve that turns by about 140 degrees. Who fits whom is asked of convexity and angles, too.
 
+use std::collections::BTreeMap;
+
 use super::branch::{Arrival, Branch};
-use super::corners::{corner, half_corner, two_corners};
+use super::corners::{corner, half_corner, is_meeting, two_corners};
 use super::group::{Group, UNLIKE};
 use crate::fairing::sharp_edge::CreaseEnd;
 
 /// What an end alone costs, in squares of radians.
 /// Half: of 60 parts 1 changes; double: none changes.
 const ALONE: f64 = 6.0;
-/// More ends are not grouped: there are thousands of ways.
-const MOST: usize = 8;
+/// More ends are not grouped, as time goes with their cube: 28 take a second.
+const MOST: usize = 32;
 
 /// The ends, each in one group.
 pub(super) fn grouped(ends: &[CreaseEnd], positions: &[[f64; 3]]) -> Vec<Group> {
@@ -22,43 +24,63 @@ pub(super) fn grouped(ends: &[CreaseEnd], positions: &[[f64; 3]]) -> Vec<Group> 
     }
     let arrivals: Vec<Arrival> = ends.iter().map(|end| Arrival::of(end, positions)).collect();
     let mut halves = Vec::new();
-    for set in 1..1u32 << ends.len() {
-        let of: Vec<usize> = (0..ends.len()).filter(|e| set >> e & 1 == 1).collect();
-        match of[..] {
-            [_] => {}
-            [i, j] => {
-                candidates.extend(pair(&arrivals, [i, j]));
-                halves.extend(half_corner(&arrivals, [i, j]));
-            }
-            _ => candidates.extend(corner(&arrivals, &of)),
+    let mut meeting = Vec::new();
+    for j in 0..ends.len() {
+        for i in 0..j {
+            candidates.extend(pair(&arrivals, [i, j]));
+            halves.extend(half_corner(&arrivals, [i, j]));
+            meeting.push(vec![i, j]);
         }
+    }
+    while !meeting.is_empty() {
+        meeting = one_more(&arrivals, &meeting);
+        candidates.extend(meeting.iter().filter_map(|of| corner(&arrivals, of)));
     }
     for (k, half) in halves.iter().enumerate() {
         candidates.extend(halves[..k].iter().filter_map(|other| two_corners(other, half)));
     }
-    let best = cheapest(&candidates, &mut vec![false; ends.len()]);
+    // Others are never better than their ends alone.
+    candidates.retain(|group| group.ends.len() == 1 || group.cost < ALONE * group.ends.len() as f64);
+    let best = cheapest(&candidates, 0, ends.len(), &mut BTreeMap::new());
     best.1.into_iter().map(|g| candidates[g].clone()).collect()
 }
 
-/// The least cost of groups for the ends that are left, and these groups.
-fn cheapest(candidates: &[Group], taken: &mut Vec<bool>) -> (f64, Vec<usize>) {
-    let Some(first) = taken.iter().position(|taken| !taken) else {
+/// The sets that have one end more, with a number above theirs, and run to a point, too.
+fn one_more(arrivals: &[Arrival], sets: &[Vec<usize>]) -> Vec<Vec<usize>> {
+    let more = sets.iter().flat_map(|set| {
+        let next = set[set.len() - 1] + 1..arrivals.len();
+        next.map(|e| [&set[..], &[e]].concat())
+    });
+    more.filter(|set| is_meeting(arrivals, set)).collect()
+}
+
+/// The least cost of groups for the ends that are not in this set, and these groups.
+fn cheapest(
+    candidates: &[Group],
+    taken: u64,
+    count: usize,
+    known: &mut BTreeMap<u64, (f64, Vec<usize>)>,
+) -> (f64, Vec<usize>) {
+    let first = taken.trailing_ones() as usize;
+    if first >= count {
         return (0.0, Vec::new());
-    };
+    }
+    if let Some(best) = known.get(&taken) {
+        return best.clone();
+    }
     let mut best = (f64::INFINITY, Vec::new());
     for (g, group) in candidates.iter().enumerate() {
-        let fits = group.ends.contains(&first) && group.ends.iter().all(|&e| !taken[e]);
-        if !fits {
+        let set = group.ends.iter().fold(0, |set, e| set | 1 << e);
+        if set >> first & 1 == 0 || set & taken != 0 {
             continue;
         }
-        group.ends.iter().for_each(|&e| taken[e] = true);
-        let (cost, mut groups) = cheapest(candidates, taken);
-        group.ends.iter().for_each(|&e| taken[e] = false);
+        let (cost, mut groups) = cheapest(candidates, taken | set, count, known);
         if cost + group.cost < best.0 {
             groups.push(g);
             best = (cost + group.cost, groups);
         }
     }
+    known.insert(taken, best.clone());
     best
 }
 

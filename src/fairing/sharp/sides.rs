@@ -2,6 +2,8 @@
 
 use nalgebra::Vector3;
 
+use super::along_chain::{AlongChain, Beside, Frames};
+use super::ends::LONG;
 use super::outside::Outside;
 use crate::discrete::boundary_normals::{angle, average};
 use crate::discrete::eight_ring_fit::EightRingSamples;
@@ -23,7 +25,7 @@ const SMOOTH: f64 = 0.0175;
 const FEWEST: usize = 4;
 /// Vertices stand off a plane by no more than this part of their distance. With ten times as much a cylinder's side is taken for a plane, and one of 30 rims
 /// is off by 8e-4 radii in place of 1e-4.
-const FLAT: f64 = 1e-4;
+pub(super) const FLAT: f64 = 1e-4;
 
 /// The tangent plane on one side.
 pub(super) struct SideFit {
@@ -67,15 +69,14 @@ impl Sides {
         }
     }
 
-    /// The fits at `from` left and right of the edge to `to`; `None` where a side cannot be told, or with an error of more than `most`, radians.
-    pub(super) fn fits(&self, from: u32, to: u32, most: f64) -> Option<[SideFit; 2]> {
-        let left = self.copy_at(from, |tri, k| tri[(k + 1) % 3], to)?;
-        let right = self.copy_at(from, |tri, k| tri[(k + 2) % 3], to)?;
-        if left == right {
+    /// The fits at the first vertex of a chain, left and right of it; `None` where a side cannot be told, or with an error of more than `most`, radians.
+    pub(super) fn fits(&self, chain: &[u32], most: f64) -> Option<[SideFit; 2]> {
+        let sides = [1, 2].map(|turn| self.copies(chain, turn));
+        if sides[0].first()? == sides[1].first()? {
             return None;
         }
-        let fit = |v: u32| self.fit(v).filter(|side| side.fit.error <= most);
-        Some([fit(left)?, fit(right)?])
+        let fit = |side: &[u32]| self.fit_beside(side).filter(|side| side.fit.error <= most);
+        Some([fit(&sides[0])?, fit(&sides[1])?])
     }
 
     /// Normals at the boundary vertices near to the first one of the chains that are not on them.
@@ -94,13 +95,66 @@ impl Sides {
         near.into_iter().filter_map(normal).collect()
     }
 
-    /// The copy of `from` in the triangle that has `to` in its `other` corner.
-    fn copy_at(&self, from: u32, other: impl Fn(&[u32; 3], usize) -> u32, to: u32) -> Option<u32> {
+    /// The copies of a chain's vertices on one side of it, as far as there are triangles: those that run along it, or turned by two, against it.
+    fn copies(&self, chain: &[u32], turn: usize) -> Vec<u32> {
         let is = |v: u32, id: u32| self.ids[v as usize] == id;
-        self.triangles.iter().find_map(|tri| {
-            let k = (0..3).find(|&k| is(tri[k], from) && is(other(tri, k), to))?;
-            Some(tri[k])
-        })
+        let mut copies = Vec::new();
+        for step in chain.windows(2) {
+            let beside = self.triangles.iter().find_map(|tri| {
+                let k = (0..3).find(|&k| is(tri[k], step[0]) && is(tri[(k + turn) % 3], step[1]))?;
+                Some([tri[k], tri[(k + turn) % 3]])
+            });
+            let Some([from, to]) = beside else { break };
+            if copies.is_empty() {
+                copies.push(from);
+            }
+            copies.push(to);
+        }
+        copies
+    }
+
+    /// The tangent plane at the first of the copies of a chain's vertices: the fit to what is around, or where the triangles along the chain are certain,
+    /// one that agrees with them, or theirs.
+    fn fit_beside(&self, copies: &[u32]) -> Option<SideFit> {
+        let around = self.fit(copies[0]);
+        let along = self.along(copies).filter(|along| along.fit.error < SMOOTH);
+        let Some(along) = along else {
+            return around;
+        };
+        let is_better = |side: &SideFit| {
+            let off = angle(&side.fit.normal, &along.fit.normal);
+            side.fit.error < SMOOTH && off <= along.spread.max(FLAT) + side.fit.error
+        };
+        around.filter(is_better).or(Some(SideFit {
+            fit: along.fit,
+            is_facet: true,
+        }))
+    }
+
+    /// The normal of the triangles at the copies of a chain's vertices.
+    fn along(&self, copies: &[u32]) -> Option<AlongChain> {
+        let copies = &copies[..copies.len().min(LONG + 1)];
+        let points: Vec<Vector3<f64>> = copies.iter().map(|&v| self.x[v as usize]).collect();
+        let frames = Frames::along(&points)?;
+        let beside = |tri: &[u32; 3]| {
+            let on: Vec<usize> = tri
+                .iter()
+                .filter_map(|v| copies.iter().position(|c| c == v))
+                .collect();
+            let frame = match on[..] {
+                [k] => 2 * k,
+                [j, k] => j + k,
+                _ => return None,
+            };
+            let [p, q, r] = tri.map(|v| self.x[v as usize]);
+            let touched: Vector3<f64> = on.iter().map(|&k| points[k]).sum();
+            Some(Beside {
+                frame,
+                normal: (q - p).cross(&(r - p)).try_normalize(f64::MIN_POSITIVE)?,
+                offset: (p + q + r) / 3.0 - touched / on.len() as f64,
+            })
+        };
+        frames.normal(&self.triangles.iter().filter_map(beside).collect::<Vec<_>>())
     }
 
     /// The plane of all triangles around, if they have one, as those of parts, whose next edge may be near; else the fit to heights, which noise
