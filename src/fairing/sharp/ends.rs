@@ -6,6 +6,7 @@
 
 use nalgebra::{Matrix2, Matrix2x3, Vector2, Vector3};
 
+use super::along_chain::LONG;
 use super::boundary_corner::third;
 use super::outside::Outside;
 use super::sides::{AROUND, SideFit, Sides};
@@ -22,10 +23,7 @@ const UNCERTAIN: f64 = 9.0;
 /// The edges of a crease bend by this part of the angle between the planes beside it: elsewhere the bends are not on the chain.
 /// Half: of 60 parts none changes, of 80 regions of four scans 24 have ends in place of 5; double: 53 parts have none.
 const OF_EDGES: f64 = 0.6;
-/// So many edges tell a crease; of fewer, before a corner, more certainty is asked in proportion.
-/// Half: of 60 parts none changes; double: 2 change, and 2 of 80 regions of scans have ends in place of 5.
-pub(super) const LONG: usize = 5;
-/// Along them its angle, where it is certain, is no less than this part of that at the boundary: else it is a fold that runs out.
+/// Along the edges that tell a crease its angle, where it is certain, is no less than this part of that at the boundary: else it is a fold that runs out.
 /// Half: none of 60 parts and 80 regions of scans changes; double: 53 parts have no ends.
 const LASTS: f64 = 0.7;
 /// Fewer edges of a chain tell no curvature.

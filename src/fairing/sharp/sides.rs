@@ -2,8 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::along_chain::{AlongChain, Beside, Frames};
-use super::ends::LONG;
+use super::along_chain::{AlongChain, Beside, FLAT, Frames, LONG};
 use super::outside::Outside;
 use crate::discrete::boundary_normals::{angle, average};
 use crate::discrete::eight_ring_fit::EightRingSamples;
@@ -23,10 +22,6 @@ const AGREES: f64 = 15.0;
 const SMOOTH: f64 = 0.0175;
 /// A plane through fewer vertices is none.
 const FEWEST: usize = 4;
-/// Vertices stand off a plane by no more than this part of their distance. With ten times as much a cylinder's side is taken for a plane, and one of 30 rims
-/// is off by 8e-4 radii in place of 1e-4.
-pub(super) const FLAT: f64 = 1e-4;
-
 /// The tangent plane on one side.
 pub(super) struct SideFit {
     pub(super) fit: Fit,
