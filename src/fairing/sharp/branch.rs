@@ -32,6 +32,8 @@ pub(super) struct Arrival {
     pub(super) normals: [Vector3<f64>; 2],
     /// Between them, degrees; above 0 on a ridge.
     pub(super) angle: f64,
+    /// The length of its last edge; 0 where it has none.
+    pub(super) edge: f64,
 }
 
 impl Arrival {
@@ -46,8 +48,19 @@ impl Arrival {
             curvature_error: end.curvature_error,
             normals: end.normals.map(Into::into),
             angle: end.angle,
+            edge: last_edge(end, positions),
         }
     }
+}
+
+/// The mean length of the edges with which its chains start.
+fn last_edge(end: &CreaseEnd, positions: &[[f64; 3]]) -> f64 {
+    let at = |v: u32| Vector3::from(positions[v as usize]);
+    let lengths = end
+        .chains
+        .iter()
+        .map(|chain| (at(chain[1]) - at(chain[0])).norm());
+    lengths.sum::<f64>() / end.chains.len().max(1) as f64
 }
 
 /// The unit tangent of the crease between planes with unit normals left and right of it, which leads about there, and its angle, degrees.
@@ -68,6 +81,8 @@ pub(crate) struct Branch {
     pub(super) curve: Curve,
     /// Unit normals left and right of it, at the points of the curve.
     normals: [Vec<Vector3<f64>>; 2],
+    /// The lengths of the last edges of what arrives at its ends.
+    pub(super) edges: [f64; 2],
 }
 
 impl Branch {
@@ -89,6 +104,7 @@ impl Branch {
             to: end.knot,
             curve,
             normals,
+            edges: [start.edge, end.edge],
         })
     }
 
@@ -100,6 +116,7 @@ impl Branch {
             to: Knot::Corner(corner),
             normals: start.normals.map(|n| curve.transported(n)),
             curve,
+            edges: [start.edge; 2],
         })
     }
 

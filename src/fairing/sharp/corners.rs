@@ -93,6 +93,7 @@ impl HalfCorner {
             curvature_error: f64::INFINITY,
             normals: [left, right],
             angle: bend,
+            edge: 0.0,
         })
     }
 

@@ -36,9 +36,9 @@ const BENT: f64 = 6.0;
 /// across edges of parts one more is a false success.
 const CERTAIN: f64 = 2.0;
 /// Where a side is one strip of triangles, its facets may be those of something round: only wider ones are taken for planes unless less is asked for,
-/// degrees: between an octagon's and a hexagon's. Half: tubes of 10 and 12 sides have an edge at every vertex, of 66 regions across edges of parts one
-/// is nearer and one less near; double: two edges of 72 degrees around a strip of one triangle are not found, and of those regions two are no success.
-const FACETS: f64 = 52.5;
+/// degrees: between a nonagon's and an octagon's. Half: tubes of 10 and 12 sides have an edge at every vertex, of 66 regions across edges of parts one
+/// is nearer and one less near; a quarter more: chamfers of 45 degrees are not found, and of 33 regions across edges of parts one fewer is good.
+const FACETS: f64 = 42.5;
 /// An edge that bends by less than this part of the angle asked for is in no chain.
 const FIRST_BEND: f64 = 0.5;
 /// A chain turns by no more than this from edge to edge, degrees.

@@ -20,7 +20,8 @@ use crate::solve::Domain;
 /// What an edge on the crease costs, in those that are one edge off it.
 /// A path is looked for with each of these: with the first alone, of 297 regions across edges of parts eight fewer are good.
 const ON_CREASE: [f64; 2] = [0.25, 4.0];
-/// Edges of a path, spread along the crease, are no longer or shorter than those around by this factor.
+/// Edges of a path, spread along the crease, are no longer or shorter by this factor than those around: the boundary's on the average, and those where
+/// the crease arrives.
 const STRETCH: f64 = 2.5;
 
 /// The membrane of a region, and which of its vertices paths have taken.
@@ -189,13 +190,15 @@ impl<'a> Membrane<'a> {
             _ if self.domain.region.is_free(path[k]) => None,
             _ => Some(branch.curve.nearest(&self.x[path[k] as usize]).0),
         };
+        let around = branch.edges.iter().filter(|edge| **edge > 0.0);
+        let [least, most] = [f64::min, f64::max].map(|of| around.clone().fold(self.edge, |a, b| of(a, *b)));
+        let allowed = least / STRETCH..=most * STRETCH;
         let mut parts = vec![0.0];
         while parts.len() <= last {
             let from = parts.len() - 1;
             let (to, part) = (from + 1..=last).find_map(|k| Some((k, known(k)?)))?;
             let step = (part - parts[from]) / (to - from) as f64;
-            let spread = step * branch.curve.length / self.edge;
-            let is_stretched = !(1.0 / STRETCH..=STRETCH).contains(&spread);
+            let is_stretched = !allowed.contains(&(step * branch.curve.length));
             if is_stretched && path[from..=to].iter().any(|v| self.domain.region.is_free(*v)) {
                 return None;
             }
