@@ -13,7 +13,8 @@ use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::{OutsideNeighbours, RegionMesh, Rings};
 use crate::support::error::Error;
 
-/// No normal is turned further than this by an uncertain fit, 30 degrees.
+/// No normal is turned further than this by an uncertain fit, 30 degrees; by none further than this and the angle at which triangles are there: of too few
+/// rows of vertices a wrong fit is certain.
 /// Of 42 cases, half: 14 change by up to 1 edge, 1 get another triangulation, -4 % iterations, 1 fails;
 /// double: 9 change by up to 3 edges, +17 % iterations, 3 fail.
 const TURN_CAP: f64 = 30.0 * std::f64::consts::PI / 180.0;
@@ -50,11 +51,13 @@ pub(crate) fn estimate(
         })?;
         if let Some(neighbours) = &neighbours {
             samples.gather(neighbours, x, region.free + b, &mut found);
-            fits.second[b] = SECOND.fit(&samples, normals[b]);
-            fits.third[b] = THIRD.fit(&samples, normals[b]);
+            let most = TURN_CAP + spread(region, rings, x, b, &normals[b]);
+            let is_along = |fit: &Fit| angle(&fit.normal, &normals[b]) <= most;
+            fits.second[b] = SECOND.fit(&samples, normals[b]).filter(is_along);
+            fits.third[b] = THIRD.fit(&samples, normals[b]).filter(is_along);
             if region.is_rounded {
                 eight_rings.gather(neighbours, x, region.free + b);
-                fits.eight_rings[b] = eight_rings.fit(normals[b]);
+                fits.eight_rings[b] = eight_rings.fit(normals[b]).filter(is_along);
             }
         }
     }
@@ -90,6 +93,21 @@ fn is_one_row(free: usize, piece: &[u32], neighbours: &OutsideNeighbours) -> boo
     near.extend(&next);
     near.sort_unstable();
     around(&next).iter().all(|v| near.binary_search(v).is_ok())
+}
+
+/// How far the outside triangles at a boundary vertex and those beside it are off a normal, radians.
+fn spread(region: &RegionMesh, rings: &Rings, x: &[Vector3<f64>], b: usize, normal: &Vector3<f64>) -> f64 {
+    let beside = rings.boundary_ring(b).iter().map(|&j| j as usize);
+    let beside = beside.filter_map(|j| j.checked_sub(region.free).filter(|j| *j < region.boundary));
+    let off = |c: usize| {
+        let at = x[region.free + c];
+        let across = move |&[p, q]: &[u32; 2]| (x[p as usize] - at).cross(&(x[q as usize] - at));
+        rings
+            .outside_triangles(c)
+            .iter()
+            .map(move |tri| angle(&across(tri), normal))
+    };
+    beside.chain([b]).flat_map(off).fold(0.0, f64::max)
 }
 
 /// The largest angle between triangles side by side at vertex `v`, of those with these other corners.

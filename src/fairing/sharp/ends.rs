@@ -327,7 +327,13 @@ mod tests {
 
     #[test]
     fn facets_of_something_round_have_no_edges_but_where_they_are_asked_for() {
-        for (sides, least, count) in [(12, 20.0, 0), (8, 20.0, 0), (6, 20.0, 12), (12, 25.0, 24)] {
+        for (sides, least, count) in [
+            (12, 20.0, 0),
+            (9, 20.0, 0),
+            (8, 20.0, 16),
+            (6, 20.0, 12),
+            (12, 25.0, 24),
+        ] {
             let shape = tube(sides);
             let outside = Outside::new(&shape.positions, &shape.triangles, &shape.free);
             assert_eq!(crease_ends(&outside, least).len(), count, "{sides} {least}");
