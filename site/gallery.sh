@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes docs/gallery.md and docs/gallery/*.png anew. The scans that it shows come from Debian's libcgal-demo, which is installed
+# Writes docs/gallery.md, docs/gallery/*.png and docs/guides/sharp-edges/*.png anew. The scans that it shows come from Debian's libcgal-demo, which is installed
 # where it is missing, and from PyPI's tvb-data (50 MB), into target/gallery.
 #   site/gallery.sh
 set -euo pipefail
@@ -23,3 +23,4 @@ if [ ! -e $skull ]; then
     python3 -m zipfile -e $skull.zip $skull
 fi
 python3 site/gallery.py "${CARGO_TARGET_DIR:-target}/release/fairmesh" $scans
+python3 site/sharp_edges.py "${CARGO_TARGET_DIR:-target}/release/fairmesh" $scans/data/meshes

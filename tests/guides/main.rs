@@ -15,7 +15,7 @@ use std::path::Path;
 use mesh::{Mesh, off_cylinder, off_sphere};
 
 /// Every guide, with the test that runs it.
-const GUIDES: [(&str, fn()); 10] = [
+const GUIDES: [(&str, fn()); 11] = [
     ("a-folder-of-scans", a_folder_of_scans),
     ("blender-headless", long::blender_headless),
     ("c-program", long::c_program),
@@ -26,6 +26,7 @@ const GUIDES: [(&str, fn()); 10] = [
     ("meshlab-script", long::meshlab_script),
     ("python-textured-obj", long::python_textured_obj),
     ("remove-a-bump", remove_a_bump),
+    ("sharp-edges", sharp_edges),
 ];
 
 #[test]
@@ -87,6 +88,22 @@ fn erase_and_fill() {
     assert!(mended.largest(off_sphere) < 1e-4);
     assert_eq!(mended.holes().len(), 1, "only the outer edge of the cap is open");
     assert_picture(&folder.join("ball.png"), None);
+}
+
+#[test]
+fn sharp_edges() {
+    let folder = runner::run("sharp-edges");
+    let read = |name: &str| Mesh::read(&folder.join(name));
+    let rod = read("rod.ply");
+    let half = rod.largest(|p| p[2].abs());
+    let off_rod = |p: [f64; 3]| (p[0].hypot(p[1]) - 1.0).abs().min((p[2].abs() - half).abs());
+    assert!(rod.largest(off_rod) < 1e-6);
+    for name in ["mended.ply", "faired.ply"] {
+        assert!(read(name).largest(off_rod) < 1e-4, "{name}");
+        assert!(read(name).holes().is_empty());
+    }
+    assert!(read("lump.ply").largest(off_rod) > 0.02);
+    assert_picture(&folder.join("mended.png"), None);
 }
 
 #[test]
