@@ -265,9 +265,19 @@ fn without_doubles(outside: &Outside<'_>, ends: Vec<CreaseEnd>) -> Vec<CreaseEnd
                 .map(|(a, b)| ends[b].chains.iter().any(|chain| chain.contains(&ends[a].vertex)));
             is_beyond || !goes_beyond && certainty(&ends[j]) > certainty(&ends[i])
         };
-        !(0..ends.len()).any(|j| j != i && meet(i, j) && is_one_fold(i, j) && better(j))
+        let goes_on = |j: usize| goes_on(&ends[i], &ends[j]);
+        !(0..ends.len()).any(|j| j != i && (goes_on(j) || meet(i, j) && is_one_fold(i, j) && better(j)))
     };
     (0..ends.len()).filter(is_best).map(|i| ends[i].clone()).collect()
+}
+
+/// Whether the first end is on the way out from another one, which may be a corner at the boundary.
+fn goes_on(end: &CreaseEnd, other: &CreaseEnd) -> bool {
+    let [chain] = &end.chains[..] else {
+        return false;
+    };
+    let has_its_edge = |way: &Vec<u32>| way.windows(2).any(|step| *step == chain[..2]);
+    other.chains.iter().any(has_its_edge)
 }
 
 #[cfg(test)]
@@ -384,6 +394,25 @@ mod tests {
                     assert_below!(off.norm(), 0.1);
                 }
             }
+        }
+    }
+
+    /// As where an edge touches the boundary shortly before it ends in a corner there.
+    #[test]
+    fn an_end_on_the_way_out_from_another_is_none() {
+        let ends = ends_of(&piece(Creased::Wedge(90.0), 1), 0.0, 0);
+        let with = |chains: &[&[u32]]| CreaseEnd {
+            chains: chains.iter().map(|chain| chain.to_vec()).collect(),
+            ..ends[0].clone()
+        };
+        let corner = with(&[&[5, 4, 3], &[5, 8, 9]]);
+        for (chain, is_one) in [
+            ([4, 3, 2], true),
+            ([8, 9, 1], true),
+            ([4, 7, 6], false),
+            ([4, 5, 8], false),
+        ] {
+            assert_eq!(goes_on(&with(&[&chain]), &corner), is_one, "{chain:?}");
         }
     }
 
