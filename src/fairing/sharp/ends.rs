@@ -62,8 +62,8 @@ pub(super) fn normals_near(outside: &Outside<'_>, ends: &[&CreaseEnd], least: f6
 fn end_at(outside: &Outside<'_>, v: u32, least: f64) -> Option<CreaseEnd> {
     let first = bent(outside, v, least).into_iter();
     let chains = first.map(|w| chain(outside, v, w, least));
-    // An edge alone between boundary vertices leads into the region.
-    let leads_out = |chain: &Vec<u32>| chain.len() > 2 || !outside.is_boundary[chain[1] as usize];
+    // Edges between boundary vertices lead into the region, or around a face of boundary vertices alone.
+    let leads_out = |chain: &Vec<u32>| chain.iter().any(|&v| !outside.is_boundary[v as usize]);
     let chains: Vec<Vec<u32>> = chains
         .filter(|chain| leads_out(chain) && mean_bend(outside, chain).abs() >= OF_EDGES * least)
         .collect();
@@ -395,6 +395,31 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// A tube with triangles across half of its end that have vertices alone in common, as faces of many corners leave them, and a free vertex in the middle.
+    #[test]
+    fn triangles_that_meet_in_vertices_are_no_side() {
+        let count = 24;
+        let at = |v: u32| {
+            let (sin, cos) = libm::sincos(f64::from(v % count) * std::f64::consts::TAU / f64::from(count));
+            [cos, sin, -0.3 * f64::from(v / count)]
+        };
+        let mut x: Vec<[f64; 3]> = (0..4 * count).map(at).collect();
+        x.push([0.0, 0.0, 0.2]);
+        let wall = (0..3).flat_map(|i| (0..count).map(move |j| [i * count + j, i * count + (j + 1) % count]));
+        let wall = wall.flat_map(|[a, b]| [[b, a, a + count], [b, a + count, b + count]]);
+        let end = (0..count).step_by(2).flat_map(|j| {
+            let (next, middle) = ((j + 2) % count, 4 * count);
+            match j < 14 {
+                true => [[j, j + 1, next], [j, next, middle]],
+                false => [[j, j + 1, middle], [j + 1, next, middle]],
+            }
+        });
+        let triangles: Vec<[u32; 3]> = wall.chain(end).collect();
+        let free: Vec<bool> = (0..=4 * count).map(|v| v == 4 * count).collect();
+        let ends = crease_ends(&Outside::new(&x, &triangles, &free), Options::SHARP_AUTO);
+        assert_eq!(ends, []);
     }
 
     /// As where an edge touches the boundary shortly before it ends in a corner there.

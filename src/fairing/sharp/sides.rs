@@ -103,6 +103,10 @@ impl Sides {
             if copies.is_empty() {
                 copies.push(from);
             }
+            // Triangles that have but a vertex in common are no side.
+            if copies[copies.len() - 1] != from {
+                break;
+            }
             copies.push(to);
         }
         copies
