@@ -100,22 +100,17 @@ fn spread(region: &RegionMesh, rings: &Rings, x: &[Vector3<f64>], b: usize, norm
     let beside = rings.boundary_ring(b).iter().map(|&j| j as usize);
     let beside = beside.filter_map(|j| j.checked_sub(region.free).filter(|j| *j < region.boundary));
     let off = |c: usize| {
-        let at = x[region.free + c];
-        let across = move |&[p, q]: &[u32; 2]| (x[p as usize] - at).cross(&(x[q as usize] - at));
-        rings
-            .outside_triangles(c)
-            .iter()
-            .map(move |tri| angle(&across(tri), normal))
+        let triangles = rings.outside_triangles(c).iter();
+        triangles.map(move |tri| angle(&across(x, region.free + c, tri), normal))
     };
     beside.chain([b]).flat_map(off).fold(0.0, f64::max)
 }
 
 /// The largest angle between triangles side by side at vertex `v`, of those with these other corners.
 fn bend(x: &[Vector3<f64>], v: usize, triangles: &[[u32; 2]]) -> Option<f64> {
-    let across = |&[a, c]: &[u32; 2]| (x[a as usize] - x[v]).cross(&(x[c as usize] - x[v]));
     let pairs = triangles.iter().flat_map(|first| {
         let beside = triangles.iter().filter(move |second| first[1] == second[0]);
-        beside.map(move |second| angle(&across(first), &across(second)))
+        beside.map(move |second| angle(&across(x, v, first), &across(x, v, second)))
     });
     pairs.reduce(f64::max)
 }
@@ -185,12 +180,13 @@ fn average_beside(region: &RegionMesh, rings: &Rings, x: &[Vector3<f64>], b: usi
 
 /// The normalized sum of the cross products of the triangles at vertex `v` with these other corners.
 pub(crate) fn average(x: &[Vector3<f64>], v: usize, triangles: &[[u32; 2]]) -> Option<Vector3<f64>> {
-    let q = x[v];
-    let sum: Vector3<f64> = triangles
-        .iter()
-        .map(|&[a, c]| (x[a as usize] - q).cross(&(x[c as usize] - q)))
-        .sum();
+    let sum: Vector3<f64> = triangles.iter().map(|tri| across(x, v, tri)).sum();
     sum.try_normalize(f64::MIN_POSITIVE)
+}
+
+/// The cross product of the triangle at vertex `v` with these other corners.
+fn across(x: &[Vector3<f64>], v: usize, &[a, c]: &[u32; 2]) -> Vector3<f64> {
+    (x[a as usize] - x[v]).cross(&(x[c as usize] - x[v]))
 }
 
 /// Blends fits and averages over one piece of the boundary: `t` says how far its fits are to be trusted at all, as the

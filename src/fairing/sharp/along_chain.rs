@@ -8,7 +8,9 @@ use crate::discrete::outside_fit::Fit;
 /// So many edges tell a crease; of fewer, before a corner, more certainty is asked in proportion.
 /// Half: of 60 parts none changes; double: 2 change, and 2 of 80 regions of scans have ends in place of 5.
 pub(super) const LONG: usize = 5;
-/// Vertices stand off a plane by no more than this part of their distance. With ten times as much a cylinder's side is taken for a plane, and one of 30 rims
+/// Unknowns of a linear function along and across; twice as many samples tell its error.
+const UNKNOWNS: usize = 3;
+/// Vertices stand off a plane by no more than this part of their distance, and normals of one side by no more radians. With ten times as much a cylinder's side is taken for a plane, and one of 30 rims
 /// is off by 8e-4 radii in place of 1e-4.
 pub(super) const FLAT: f64 = 1e-4;
 
@@ -124,14 +126,14 @@ fn at_zero(samples: &[(Vector3<f64>, f64)]) -> Option<(f64, f64)> {
     if samples.len() > 1 && spread < FLAT {
         return Some((mean, spread));
     }
-    let matrix: Matrix3<f64> = samples.iter().map(|(phi, _)| phi * phi.transpose()).sum();
-    let right: Vector3<f64> = samples.iter().map(|(phi, psi)| phi * *psi).sum();
-    if samples.len() < 6 {
+    if samples.len() < 2 * UNKNOWNS {
         return None;
     }
+    let matrix: Matrix3<f64> = samples.iter().map(|(phi, _)| phi * phi.transpose()).sum();
+    let right: Vector3<f64> = samples.iter().map(|(phi, psi)| phi * *psi).sum();
     let inverse = matrix.try_inverse()?;
     let y = inverse * right;
     let square: f64 = samples.iter().map(|(phi, psi)| (psi - phi.dot(&y)).powi(2)).sum();
-    let variance = square / (samples.len() - 3) as f64;
+    let variance = square / (samples.len() - UNKNOWNS) as f64;
     Some((y[0], (variance * inverse[(0, 0)]).sqrt()))
 }

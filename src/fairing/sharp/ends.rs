@@ -37,7 +37,8 @@ const BENT: f64 = 6.0;
 const CERTAIN: f64 = 2.0;
 /// Where a side is one strip of triangles, its facets may be those of something round: only wider ones are taken for planes unless less is asked for,
 /// degrees: between a nonagon's and an octagon's. Half: tubes of 10 and 12 sides have an edge at every vertex, of 66 regions across edges of parts one
-/// is nearer and one less near; a quarter more: chamfers of 45 degrees are not found, and of 33 regions across edges of parts one fewer is good.
+/// is nearer and one less near; a quarter more: chamfers of 45 degrees are not found, and of 33 regions across edges of parts one
+/// fewer is good; at 105 edges of 72 degrees around a strip are not.
 const FACETS: f64 = 42.5;
 /// An edge that bends by less than this part of the angle asked for is in no chain.
 const FIRST_BEND: f64 = 0.5;
