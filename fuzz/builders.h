@@ -136,7 +136,12 @@ static inline void give_options(Bytes *bytes, fairmesh_options *options, uint32_
     if (what & 4096) options->target.kind = one_of(bytes, 3), options->target.constant = between(bytes, -20.0, 20.0);
     if (what & 8192) options->tolerance = factor(bytes, 1e-15, 1.0);
     if (what & 16384) options->max_iterations = amount(bytes, 500);
-    if (what & 32768) options->reserved = options->target.reserved = next(bytes) == 255;
+    if (what & 32768) {
+        uint32_t which = next(bytes);
+        options->reserved = options->target.reserved = which == 255;
+        if (which & 1) options->sharp = between(bytes, 0.0, 180.0);
+        if (which & 2) options->marked_edges = list(bytes, vertices, 6, 2);
+    }
 }
 
 static inline void give_filter(Bytes *bytes, fairmesh_loop_filter *filter) {

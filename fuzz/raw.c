@@ -95,6 +95,7 @@ static void point_within(Given *given, uint8_t *memory) {
     WITHIN(given->options.loop_continuity.vertices);
     WITHIN(given->options.boundary_curvature.values);
     WITHIN(given->options.boundary_curvature.vertices);
+    WITHIN(given->options.marked_edges);
     WITHIN(given->fill.join.loops);
     WITHIN(given->fill.join.starts);
     WITHIN(given->fill.guides);

@@ -16,6 +16,9 @@ use fairmesh::{
 /// The value of the option `sharp` at which only edges that are certain go on, in degrees.
 pub const FAIRMESH_SHARP_AUTO: f64 = 20.0;
 
+/// The lists of `Options`, checked.
+pub(crate) type OptionsLists = [Array; 1];
+
 /// What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -50,6 +53,8 @@ pub struct fairmesh_options {
     pub tolerance: f64,
     /// At most this many nonlinear iterations for each component of the region. Default 500. At least 1.
     pub max_iterations: u64,
+    /// Edges that are sharp however little they bend, as marked by hand: pairs of vertices. Where they reach the boundary from outside, creases arrive, too, whatever `sharp` is. Those that are not outside are ignored. Default: none. Two indices side by side.
+    pub marked_edges: fairmesh_indices,
     /// Called with the progress; may be NULL, the default.
     pub progress: fairmesh_progress_fn,
     /// Handed to `progress`.
@@ -77,6 +82,7 @@ impl fairmesh_options {
             target: fairmesh_target::default(),
             tolerance: 1e-8,
             max_iterations: 500,
+            marked_edges: fairmesh_indices::default(),
             progress: None,
             user_data: core::ptr::null_mut(),
             sharp: 20.0,
@@ -85,7 +91,7 @@ impl fairmesh_options {
 
     /// Where an option is in this argument.
     pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
-        field_named!(argument, option, Self: interior_normals inner_fairness discretization output_precision threads intersections boundary_normals continuity loop_continuity boundary_curvature target tolerance max_iterations progress user_data sharp)
+        field_named!(argument, option, Self: interior_normals inner_fairness discretization output_precision threads intersections boundary_normals continuity loop_continuity boundary_curvature target tolerance max_iterations marked_edges progress user_data sharp)
     }
 
     /// What needs no arrays and has no values of its own; all else as it is by default.
@@ -103,6 +109,19 @@ impl fairmesh_options {
             sharp: self.sharp,
             ..Options::default()
         })
+    }
+
+    /// The lists of indices, checked and not read.
+    pub(crate) fn lists(&self, argument: Argument) -> CallResult<OptionsLists> {
+        Ok([
+            indices_in(&self.marked_edges, 2, field!(argument, Self.marked_edges))?,
+        ])
+    }
+
+    /// Reads them.
+    pub(crate) fn read_lists(lists: &OptionsLists, into: &mut Options) -> CallResult {
+        into.marked_edges = lists[0].rows::<2>()?.into_owned();
+        Ok(())
     }
 }
 

@@ -3,7 +3,7 @@
 use super::callback::HostCallback;
 use super::choices::choose;
 use super::input::{CurvatureIn, LoopsIn, MeshIn, NormalsIn};
-use super::option_structs::fairmesh_options;
+use super::option_structs::{OptionsLists, fairmesh_options};
 use super::status::{CallResult, Failure};
 use super::types::*;
 use super::views::{Argument, Call, FieldPath, check_reserved, field};
@@ -38,6 +38,7 @@ pub(crate) struct OptionsIn {
     pub curvature: CurvatureIn,
     pub loops: LoopsIn,
     pub callback: HostCallback,
+    lists: OptionsLists,
     /// Boundary normals, curvature and what is asked of single loops are not read yet.
     options: Options,
 }
@@ -56,6 +57,10 @@ impl OptionsIn {
         let curvature = CurvatureIn::new(&view.boundary_curvature, place, mesh.vertices(), call)?;
         let place = field!(argument, fairmesh_options.loop_continuity);
         let loops = LoopsIn::new(&view.loop_continuity, place, call)?;
+        let lists = view.lists(argument)?;
+        for list in &lists {
+            call.input(list.memory());
+        }
         let asked = read_options(&view, argument)?;
         asked
             .validate()
@@ -65,6 +70,7 @@ impl OptionsIn {
             curvature,
             loops,
             callback: HostCallback::new(view.progress, view.user_data),
+            lists,
             options: asked,
         })
     }
@@ -81,13 +87,15 @@ impl OptionsIn {
     /// With what is given per vertex of the mesh.
     pub(crate) fn read(&self, mesh: &MeshIn) -> CallResult<Options> {
         let vertices = mesh.vertices();
-        Ok(Options {
+        let mut options = Options {
             boundary_normals: self.normals.read(vertices)?,
             boundary_curvature: self.curvature.read(vertices)?,
             loop_continuity: self.loops.read(vertices)?,
             coincident: mesh.coincident,
             ..self.options.clone()
-        })
+        };
+        fairmesh_options::read_lists(&self.lists, &mut options)?;
+        Ok(options)
     }
 }
 

@@ -234,8 +234,8 @@ pub(crate) fn check_slot<T>(slot: *mut *mut T, argument: Argument, call: &mut Ca
     call.output(Bytes::block(slot, size_of::<*mut T>()), argument)
 }
 
-/// No call reads more arrays and structs than this before it knows its outputs: `fairmesh_bridge` reads 21.
-const INPUTS: usize = 21;
+/// No call reads more arrays and structs than this before it knows its outputs: `fairmesh_bridge` reads 22.
+const INPUTS: usize = 22;
 
 /// What a call writes.
 #[derive(Clone, Copy)]

@@ -231,6 +231,7 @@ fn input<'a>(args: &FairArgs, name: &Path, mesh: &'a MeshFile) -> Result<FairInp
         boundary_normals: selection::boundary_normals(&args.normals, vertex_count)?,
         boundary_curvature: args.continuity.boundary_curvature(vertex_count)?,
         loop_continuity: args.continuity.continuity_at.clone(),
+        marked_edges: args.sharp.marked_edges(),
     })
 }
 
@@ -259,6 +260,7 @@ fn solve(
         loop_continuity: input.loop_continuity.clone(),
         boundary_curvature: input.boundary_curvature.clone(),
         sharp: args.sharp.sharp,
+        marked_edges: input.marked_edges.clone(),
         target: surface.target,
         inner_fairness: surface.inner_fairness(),
         discretization: surface.discretization(),

@@ -106,6 +106,7 @@ impl PatchArgs {
                 intersections: self.intersections.intersections(),
                 coincident: self.mesh.coincident,
                 sharp: self.sharp.sharp,
+                marked_edges: self.sharp.marked_edges(),
                 ..Options::default()
             },
             ..defaults

@@ -20,7 +20,30 @@ pub struct SharpArgs {
         verbatim_doc_comment
     )]
     pub sharp: f64,
+
+    /// Edges from each of these vertices to the next one are sharp, too, however little
+    /// they bend; may be given several times. Those inside of the region say nothing
+    #[arg(
+        long,
+        value_name = "A,B,...",
+        value_parser = marked_chain,
+        help_heading = "Surface",
+        verbatim_doc_comment
+    )]
+    pub marked_edges: Vec<MarkedChain>,
 }
+
+impl SharpArgs {
+    /// The edges that are marked, as pairs.
+    pub fn marked_edges(&self) -> Vec<[u32; 2]> {
+        let steps = self.marked_edges.iter().flat_map(|chain| chain.0.windows(2));
+        steps.map(|step| [step[0], step[1]]).collect()
+    }
+}
+
+/// Vertices with edges between them.
+#[derive(Debug, Clone)]
+pub struct MarkedChain(Vec<u32>);
 
 /// The library's default, in the flag's words.
 fn default() -> &'static str {
@@ -42,6 +65,15 @@ fn sharp(text: &str) -> Result<f64, String> {
                 .filter(|degrees| (0.0..=180.0).contains(degrees))
                 .ok_or_else(|| "expected auto, off or an angle from 0 to 180 degrees".to_owned())
         }
+    }
+}
+
+/// Reads `--marked-edges`.
+fn marked_chain(text: &str) -> Result<MarkedChain, String> {
+    let numbers: Result<Vec<u32>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+    match numbers {
+        Ok(chain) if chain.len() > 1 => Ok(MarkedChain(chain)),
+        _ => Err("expected numbers of two or more vertices, counted from 0, as in 12,57,3".to_owned()),
     }
 }
 

@@ -24,6 +24,7 @@ pub(crate) fn joined_options<'o>(copies: &Copies, options: &'o Options) -> Cow<'
         boundary_normals: joined_normals(copies, &options.boundary_normals).into_owned(),
         boundary_curvature: joined_curvature(copies, &options.boundary_curvature).into_owned(),
         loop_continuity: joined_loops(copies, &options.loop_continuity),
+        marked_edges: joined_edges(copies, &options.marked_edges),
         ..options.clone()
     })
 }
@@ -33,6 +34,14 @@ pub(super) fn joined_loops(copies: &Copies, loops: &[(u32, f64)]) -> Vec<(u32, f
     loops
         .iter()
         .map(|&(v, blend)| (copies.smallest(v), blend))
+        .collect()
+}
+
+/// The edges that the joined mesh has between these vertices.
+fn joined_edges(copies: &Copies, edges: &[[u32; 2]]) -> Vec<[u32; 2]> {
+    edges
+        .iter()
+        .map(|edge| edge.map(|v| copies.smallest(v)))
         .collect()
 }
 

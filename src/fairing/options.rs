@@ -139,6 +139,9 @@ options! {
         /// vertices are placed along them, and each side is a surface of its own. Default auto: those that are certain. 0: none. Not for
         /// fairing in steps.
         sharp: f64 = Self::SHARP_AUTO, real "degrees" in 0.0..=180.0, "between 0 and 180";
+        /// Edges that are sharp however little they bend, as marked by hand: pairs of vertices. Where they reach the boundary from outside, creases
+        /// arrive, too, whatever `sharp` is. Those that are not outside are ignored. Default: none.
+        marked_edges: Vec<[u32; 2]> = Vec::new(), indices 2;
     }
 }
 
@@ -185,6 +188,11 @@ impl Options {
         let mut of_loops = self.loop_continuity.iter();
         of_loops.try_for_each(|(_, blend)| check("loop_continuity", *blend))?;
         self.boundary_curvature.validate()
+    }
+
+    /// Whether creases of the surroundings are looked for.
+    pub(crate) fn asks_sharp(&self) -> bool {
+        self.sharp > 0.0 || !self.marked_edges.is_empty()
     }
 
     /// Whether curvature is to be continued along any loop.

@@ -46,14 +46,15 @@ impl SharpEdges {
         components: &[Prepared],
         options: &Options,
     ) -> Self {
-        if options.sharp <= 0.0 {
+        if !options.asks_sharp() {
             return Self::default();
         }
         let regions: Vec<&RegionMesh> = components.iter().map(|of| &of.domain.region).collect();
         let is_free = free(positions.len(), &regions);
         let given = GivenNormals::new(&options.boundary_normals);
-        let outside = Outside::new(positions, triangles, &is_free);
-        let mut ends = ends::crease_ends(&outside, options.sharp);
+        let outside = Outside::new(positions, triangles, &is_free, &options.marked_edges);
+        let least = least_angle(options);
+        let mut ends = ends::crease_ends(&outside, least);
         ends.retain(|end| !given.has(end.vertex));
         let mut told = Vec::new();
         let mut creases = Vec::new();
@@ -63,7 +64,7 @@ impl SharpEdges {
         let goes_on = told.iter().filter(|edge: &&SharpEdge| !edge.vertices.is_empty());
         let ends: Vec<&CreaseEnd> = goes_on.flat_map(|edge| &edge.ends).collect();
         let parted = (!creases.is_empty()).then(|| {
-            let mut near = ends::normals_near(&outside, &ends, options.sharp);
+            let mut near = ends::normals_near(&outside, &ends, least);
             near.retain(|(v, _)| !given.has(*v));
             PartedProblem::new((positions, triangles), &is_free, &creases, (&ends, near))
         });
@@ -84,6 +85,15 @@ impl SharpEdges {
                 of.report.outcome.reserve_edge();
             }
         }
+    }
+}
+
+/// The angle at which an edge that is not marked may be one of a crease; else none is.
+fn least_angle(options: &Options) -> f64 {
+    if options.sharp > 0.0 {
+        options.sharp
+    } else {
+        f64::INFINITY
     }
 }
 
@@ -139,15 +149,16 @@ pub(crate) fn creases_around(
     is_boundary: Vec<bool>,
     options: &Options,
 ) -> Vec<BoundaryCrease> {
-    let outside = Outside::around(positions, triangles, is_boundary);
+    let outside = Outside::around(positions, triangles, is_boundary, &options.marked_edges);
     let given = GivenNormals::new(&options.boundary_normals);
-    let mut ends = ends::crease_ends(&outside, options.sharp);
+    let least = least_angle(options);
+    let mut ends = ends::crease_ends(&outside, least);
     ends.retain(|end| !given.has(end.vertex));
     let crease = |group: Group| {
         let own: Vec<CreaseEnd> = group.ends.iter().map(|&e| ends[e].clone()).collect();
         let near = match group.branches.is_empty() {
             true => Vec::new(),
-            false => ends::normals_near(&outside, &own.iter().collect::<Vec<_>>(), options.sharp),
+            false => ends::normals_near(&outside, &own.iter().collect::<Vec<_>>(), least),
         };
         BoundaryCrease {
             near: near.into_iter().filter(|(v, _)| !given.has(*v)).collect(),
@@ -162,11 +173,11 @@ pub(crate) fn creases_around(
 pub(crate) fn may_be_creased(
     (positions, triangles): (&[[f64; 3]], &[[u32; 3]]),
     is_boundary: Vec<bool>,
-    least: f64,
+    options: &Options,
 ) -> bool {
-    let outside = Outside::around(positions, triangles, is_boundary);
-    let mut vertices = 0..positions.len() as u32;
-    vertices.any(|v| outside.is_boundary[v as usize] && !ends::bent(&outside, v, least).is_empty())
+    let outside = Outside::around(positions, triangles, is_boundary, &options.marked_edges);
+    let bends = |v: u32| !ends::bent(&outside, v, least_angle(options)).is_empty();
+    (0..positions.len() as u32).any(|v| outside.is_boundary[v as usize] && bends(v))
 }
 
 /// Ends that belong together.
@@ -217,6 +228,6 @@ pub fn crease_ends(
         numbering,
     )?;
     let is_free = free(positions.len(), &regions.iter().collect::<Vec<_>>());
-    let outside = Outside::new(positions, &joined.triangles, &is_free);
+    let outside = Outside::new(positions, &joined.triangles, &is_free, &[]);
     Ok(ends::crease_ends(&outside, least))
 }

@@ -360,16 +360,18 @@ impl FillRun<'_> {
         let (wide, creases) = self.creases(&surroundings, loops);
         surroundings = wide.unwrap_or(surroundings);
         let options = local_options(&surroundings, self.fairing);
-        let options = self.rims.with_normals(i, &surroundings, options);
+        let mut options = self.rims.with_normals(i, &surroundings, options);
+        if loops.len() == 1 {
+            // They are followed already.
+            options.sharp = 0.0;
+            options.marked_edges.clear();
+        }
         let task = Task {
             surroundings: &surroundings,
             factor: std::f64::consts::SQRT_2 / self.options.density,
             most: self.left.min(largest_patch(edges, self.options.density)),
             unfaired: self.options.unfaired(&surroundings),
-            options: Options {
-                sharp: if loops.len() > 1 { options.sharp } else { 0.0 },
-                ..options.clone()
-            },
+            options,
             precision: self.options.fairing.output_precision,
         };
         let rims = self.rims;
@@ -407,7 +409,10 @@ impl FillRun<'_> {
         loops: &[&BoundaryLoop],
     ) -> (Option<Surroundings>, Vec<BoundaryCrease>) {
         let is_faired = loops.len() == 1 && self.options.unfaired(around).is_none();
-        if !is_faired || !around.guides.is_empty() || !around.may_be_creased(self.fairing.sharp) {
+        if !is_faired
+            || !around.guides.is_empty()
+            || !around.may_be_creased(&local_options(around, self.fairing))
+        {
             return (None, Vec::new());
         }
         let layers = (LAYERS_OF_CREASES, &mut self.place[..]);

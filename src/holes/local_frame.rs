@@ -47,6 +47,7 @@ pub(super) fn local_options(around: &Surroundings, asked: &Options) -> Options {
         // The patch may not have all of the loop's vertices beside free ones.
         continuity: continuity(around, asked),
         loop_continuity: Vec::new(),
+        marked_edges: local_edges(around, &asked.marked_edges),
         // The patch is looked at in the whole mesh.
         intersections: Intersections::Skip,
         output_precision: OutputPrecision::Double,
@@ -71,6 +72,21 @@ fn local_entries<T: Copy>(around: &Surroundings, list: &[(u32, T)]) -> Vec<(u32,
             Some((v, list[at].1))
         })
         .collect()
+}
+
+/// The edges of the surroundings that are marked, in local numbers.
+fn local_edges(around: &Surroundings, marked: &[[u32; 2]]) -> Vec<[u32; 2]> {
+    let mut marked: Vec<[u32; 2]> = marked.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
+    marked.sort_unstable();
+    let edges = around
+        .triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let is_marked = |edge: &[u32; 2]| {
+        let [a, b] = edge.map(|v| around.ids[v as usize]);
+        marked.binary_search(&[a.min(b), a.max(b)]).is_ok()
+    };
+    edges.filter(is_marked).collect()
 }
 
 /// A report in the caller's unit. The `firsts` of its vertices name a loop.

@@ -199,12 +199,15 @@ impl Rest {
 
     /// The options with the numbers of the vertices that are left.
     fn renumbered(&self, options: &Options) -> Options {
+        fn now(number: &[u32], v: u32) -> Option<u32> {
+            number.get(v as usize).copied().filter(|&new| new != NONE)
+        }
         fn left<T: Copy>(number: &[u32], list: &[(u32, T)]) -> Vec<(u32, T)> {
-            let now = |v: u32| number.get(v as usize).copied().filter(|&new| new != NONE);
             list.iter()
-                .filter_map(|&(v, value)| Some((now(v)?, value)))
+                .filter_map(|&(v, value)| Some((now(number, v)?, value)))
                 .collect()
         }
+        let edge = |[a, b]: &[u32; 2]| Some([now(&self.number, *a)?, now(&self.number, *b)?]);
         Options {
             boundary_normals: match &options.boundary_normals {
                 BoundaryNormals::Given(list) => BoundaryNormals::Given(left(&self.number, list)),
@@ -215,6 +218,7 @@ impl Rest {
                 other => other.clone(),
             },
             loop_continuity: left(&self.number, &options.loop_continuity),
+            marked_edges: options.marked_edges.iter().filter_map(edge).collect(),
             ..options.clone()
         }
     }

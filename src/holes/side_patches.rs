@@ -19,9 +19,10 @@ impl Surroundings {
     }
 
     /// Whether an edge at the loops bends so much that it may be one of them.
-    pub(super) fn may_be_creased(&self, least: f64) -> bool {
+    pub(super) fn may_be_creased(&self, options: &Options) -> bool {
         let positions = self.positions();
-        least > 0.0 && may_be_creased((&positions, &self.triangles), self.is_boundary(), least)
+        let mesh = (&positions[..], &self.triangles[..]);
+        options.asks_sharp() && may_be_creased(mesh, self.is_boundary(), options)
     }
 
     fn positions(&self) -> Vec<[f64; 3]> {

@@ -813,7 +813,7 @@ static void all_lists_at_once(const Ball *ball, const fairmesh_indices *from, co
     OK(fairmesh_bridge_options_init(&how, sizeof how));
     fill.loops = fill.join.loops = fill.join.starts = fill.filter.components = indices_of(zero, 1);
     fill.join.kind = FAIRMESH_JOIN_KIND_GROUPS;
-    fill.guides = indices_of(pair, 1);
+    fill.guides = options.marked_edges = indices_of(pair, 1);
     options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
     options.boundary_normals.vectors = points_of(ball->positions + 3 * rim[0], 1);
     options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;

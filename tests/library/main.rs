@@ -29,6 +29,7 @@ mod intersections;
 mod join;
 mod live;
 mod long;
+mod marked_edges;
 mod outcomes;
 mod outer_boundaries;
 mod paper;

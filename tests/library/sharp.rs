@@ -10,7 +10,7 @@ use fairmesh::{
 use fairmesh_shapes::*;
 
 /// A piece of a solid about a place of its chart, with edges of about `edge`.
-fn piece(of: Creased, centre: [f64; 2], edge: f64, seed: u64) -> Shape {
+pub(crate) fn piece(of: Creased, centre: [f64; 2], edge: f64, seed: u64) -> Shape {
     let n = (3.6276 * 0.25 / (edge * edge)) as usize;
     creased(of, (centre, 0.5), n, irregular(seed), 6)
 }
@@ -23,7 +23,7 @@ fn sharp_options() -> Options {
 }
 
 /// How far a point is from the surface of the solid.
-fn distance(of: Creased, p: [f64; 3]) -> f64 {
+pub(crate) fn distance(of: Creased, p: [f64; 3]) -> f64 {
     let [x, y, z] = p;
     let r = x.hypot(y);
     match of {
@@ -49,15 +49,15 @@ fn distance(of: Creased, p: [f64; 3]) -> f64 {
     }
 }
 
-fn worst(of: Creased, shape: &Shape, solution: &Solution) -> f64 {
+pub(crate) fn worst(of: Creased, shape: &Shape, solution: &Solution) -> f64 {
     let free = shape.free_vertices().into_iter();
     Errors::of(free.map(|v| distance(of, solution.positions[v as usize]))).max
 }
 
 /// Edges of .06, or what else.
-const EDGE: f64 = 0.06;
+pub(crate) const EDGE: f64 = 0.06;
 /// Where the crease passes the middle of the region.
-const PLACES: [[f64; 2]; 3] = [[0.1, 0.05], [0.0, 0.2], [-0.1, -0.1]];
+pub(crate) const PLACES: [[f64; 2]; 3] = [[0.1, 0.05], [0.0, 0.2], [-0.1, -0.1]];
 
 /// Fairs a piece whose interior is destroyed, and says how far it is off; all creases have to go on.
 fn off(of: Creased, centre: [f64; 2], edge: f64, seed: u64) -> f64 {
@@ -379,7 +379,7 @@ fn ends_are_found_beside_corners() {
 }
 
 /// A piece without its free vertices.
-fn with_hole(of: Creased, centre: [f64; 2], edge: f64, seed: u64) -> Shape {
+pub(crate) fn with_hole(of: Creased, centre: [f64; 2], edge: f64, seed: u64) -> Shape {
     let mut shape = piece(of, centre, edge, seed);
     let is_free = shape.free.clone();
     shape

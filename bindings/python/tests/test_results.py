@@ -154,6 +154,21 @@ def test_sharp_edges_go_on_where_that_is_asked_for():
         assert abs(np.dot(end.normal_left, end.normal_right)) < 1e-6
 
 
+def test_marked_edges_are_sharp():
+    vertices, faces, free, exact = flattened_roof()
+    vertices, exact = vertices * [1, 1, 0.1], exact * [1, 1, 0.1]
+    on = np.isclose(exact[:, 2], 0)
+    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    marked = edges[on[edges].all(axis=1)]
+    for sharp in ("auto", "off"):
+        result = fairmesh.fair(vertices, faces, free=free, sharp=sharp, marked_edges=marked)
+        (edge,) = result.report.sharp_edges
+        assert edge.fate == "goes_on" and np.abs(result.vertices - exact).max() < 1e-9
+        assert fairmesh.fair(vertices, faces, free=free, sharp=sharp).report.sharp_edges == ()
+    with pytest.raises(ValueError, match=r"marked_edges: the shape has to be \(k, 2\), not \(3,\)"):
+        fairmesh.fair(vertices, faces, free=free, marked_edges=[1, 2, 3])
+
+
 def test_a_sharp_edge_that_ends_is_told():
     vertices, faces, free, _ = fading_ridge()
     report = fairmesh.fair(vertices, faces, free=free, sharp="auto").report

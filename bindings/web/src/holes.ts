@@ -4,7 +4,7 @@ import * as abi from "./abi.js";
 import { type Floats, type Indices, indices, indicesIn, type Mesh, MeshIn, numbers, shown } from "./arrays.js";
 import { bytesOf, type Host, isSingle, watched } from "./fairing.js";
 import { plainFields, type Scope, type Values, within, write } from "./library.js";
-import { FAIRING, type FairingOptions, fairingIn, fieldOf, known, real, whole, withDefaults } from "./options.js";
+import { FAIRING, type FairingOptions, fairingIn, fieldOf, known, real, whole, withDefaults, writeRows } from "./options.js";
 import { type LoopReport, type Report, type ResultHandle, resultOf } from "./reports.js";
 
 /** A boundary loop of a mesh. Angles are in degrees. */
@@ -166,18 +166,8 @@ function fillIn(scope: Scope, given: LoopChoice & Omit<FillOptions, keyof Fairin
     }
     if (given.within !== undefined) filter["within"] = place(given.within);
     write(scope.library, fieldOf(at, "fillOptions", "filter"), "loopFilter", filter);
-    for (const [name, width] of Object.entries(abi.rows.fillOptions)) {
-        const list = given[name as keyof abi.RowsFillOptions];
-        if (list !== undefined) set({ [name]: rowsIn(scope, list, width, name) });
-    }
+    writeRows(scope, at, "fillOptions", given);
     return at;
-}
-
-/** A list of rows, or of their indices one after the other. */
-function rowsIn(scope: Scope, given: ArrayLike<number> | readonly (readonly number[])[], width: 1 | 2 | 3, name: string): Values {
-    const listed = indices((Array.isArray(given) ? given.flat() : given) as Indices, name);
-    if (listed.length % width !== 0) throw new RangeError(`${name}: rows of ${width} are needed, not ${listed.length} vertices`);
-    return indicesIn(scope, listed, width);
 }
 
 /** How patches are made, for functions that do not choose loops. */

@@ -1,6 +1,6 @@
 /** Options given to the library's structs. Defaults are the library's: what is undefined is not touched. */
 
-import { enums, type PlainOptions, SHARP_AUTO, structs } from "./abi.js";
+import { enums, type PlainOptions, rows, type RowsOptions, SHARP_AUTO, structs } from "./abi.js";
 import { type Indices, indices, indicesIn, type Points, numbers, numbersIn, points, shown } from "./arrays.js";
 import { type EnumName, kindOf, type Library, numberOf, placeOf, plainFields, read, type Scope, type StructName, type Values, write } from "./library.js";
 import type { Watching } from "./progress.js";
@@ -13,7 +13,7 @@ export type Sharp = "auto" | "off" | number;
 export type ByVertex<T> = ReadonlyMap<number, T> | readonly (readonly [number, T])[];
 
 /** How fairing is done: what `fair`, `fillHoles`, `bridge`, `refill` and `Solver` have in common. */
-export interface FairingOptions extends Omit<PlainOptions, "threads" | "continuity" | "sharp">, Watching {
+export interface FairingOptions extends Omit<PlainOptions, "threads" | "continuity" | "sharp">, RowsOptions, Watching {
     /** There is one thread; the option is taken, so that programs can be the same. */
     threads?: number | undefined;
     /**
@@ -129,6 +129,7 @@ export const WATCHING = ["progress", "cancel"];
 /** The names of the fairing options. */
 export const FAIRING: readonly string[] = [
     ...plainFields("options"),
+    ...Object.keys(rows.options),
     ...["boundaryNormals", "loopContinuity", "boundaryCurvature", "target"],
     ...WATCHING,
 ];
@@ -145,7 +146,26 @@ export function fairingIn(scope: Scope, given: FairingOptions, isSingle: boolean
     if (given.boundaryNormals !== undefined) set({ boundaryNormals: normalsIn(scope, given.boundaryNormals, vertexCount) });
     if (given.boundaryCurvature !== undefined) set({ boundaryCurvature: curvatureIn(scope, given.boundaryCurvature, vertexCount) });
     if (given.loopContinuity !== undefined) set({ loopContinuity: loopsIn(scope, given.loopContinuity) });
+    writeRows(scope, at, "options", given);
     return at;
+}
+
+/** The lists of indices of a struct. */
+export function writeRows(scope: Scope, at: number, struct: keyof typeof rows, given: object): void {
+    for (const [name, width] of Object.entries(rows[struct])) {
+        const list = (given as Record<string, Rows | undefined>)[name];
+        if (list !== undefined) write(scope.library, at, struct, { [name]: rowsIn(scope, list, width, name) });
+    }
+}
+
+/** Rows of indices, or these one after the other. */
+type Rows = ArrayLike<number> | readonly (readonly number[])[];
+
+/** A list of rows, or of their indices one after the other. */
+function rowsIn(scope: Scope, given: Rows, width: 1 | 2 | 3, name: string): Values {
+    const listed = indices((Array.isArray(given) ? given.flat() : given) as Indices, name);
+    if (listed.length % width !== 0) throw new RangeError(`${name}: rows of ${width} are needed, not ${listed.length} vertices`);
+    return indicesIn(scope, listed, width);
 }
 
 /** From 0 to 1, if the library agrees. */

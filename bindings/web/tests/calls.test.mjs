@@ -105,6 +105,14 @@ test("sharp edges go on where that is asked for", () => {
         assert.ok(edge.vertices.includes(end.vertex));
         assert.ok(Math.abs(Math.abs(end.direction[0]) - 1) < 1e-6);
     }
+    for (let k = 2; k < p.length; k += 3) p[k] *= 0.1;
+    const onRidge = Array.from({ length: p.length / 3 }, (_, v) => v).filter((v) => Math.abs(p[3 * v + 1]) < 1e-9);
+    const markedEdges = onRidge.slice(1).map((v, k) => [onRidge[k], v]);
+    assert.deepEqual(library.fair(roof, roof.free).report.sharpEdges, []);
+    const marked = library.fair(roof, roof.free, { sharp: "off", markedEdges });
+    assert.equal(marked.report.sharpEdges[0].fate, "goes_on");
+    for (const v of marked.report.sharpEdges[0].vertices) assert.ok(Math.abs(marked.positions[3 * v + 2]) < 1e-9);
+    assert.throws(() => library.fair(roof, roof.free, { markedEdges: [1, 2, 3] }), { message: "markedEdges: rows of 2 are needed, not 3 vertices" });
     assert.throws(() => library.fair(roof, roof.free, { sharp: "on" }), { message: 'sharp: "on" is neither "auto" nor "off" nor a number' });
 });
 

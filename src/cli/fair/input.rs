@@ -15,6 +15,7 @@ pub struct FairInput<'a> {
     pub boundary_normals: BoundaryNormals,
     pub boundary_curvature: BoundaryCurvature,
     pub loop_continuity: Vec<(u32, f64)>,
+    pub marked_edges: Vec<[u32; 2]>,
     /// How the region was found, if by steps.
     pub region: RegionReport,
 }

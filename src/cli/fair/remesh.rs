@@ -62,6 +62,8 @@ fn in_new_numbers(input: &FairInput<'_>, mesh: Remeshed) -> FairInput<'static> {
     // All of them are kept: others were refused before.
     let loops = input.loop_continuity.iter();
     let loop_continuity = loops.filter_map(|&(v, blend)| Some((moved(v)?, blend)));
+    let edges = input.marked_edges.iter();
+    let marked = edges.filter_map(|&[a, b]| Some([moved(a)?, moved(b)?]));
     let selected = Selected {
         kind: Kind::Vertex,
         elements: mesh.free,
@@ -72,6 +74,7 @@ fn in_new_numbers(input: &FairInput<'_>, mesh: Remeshed) -> FairInput<'static> {
         boundary_normals,
         boundary_curvature,
         loop_continuity: loop_continuity.collect(),
+        marked_edges: marked.collect(),
         region: input.region.clone(),
     }
 }

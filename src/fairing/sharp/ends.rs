@@ -61,21 +61,37 @@ pub(super) fn normals_near(outside: &Outside<'_>, ends: &[&CreaseEnd], least: f6
 
 /// The crease that arrives at a boundary vertex, or starts where two do; `None` where more do.
 fn end_at(outside: &Outside<'_>, v: u32, least: f64) -> Option<CreaseEnd> {
-    let first = bent(outside, v, least).into_iter();
-    let chains = first.map(|w| chain(outside, v, w, least));
+    let mut first = bent(outside, v, least);
+    if first.iter().any(|w| outside.is_marked(v, *w)) {
+        first.retain(|w| outside.is_marked(v, *w));
+    }
+    let chains = first.into_iter().map(|w| chain(outside, v, w, least));
     // Edges between boundary vertices lead into the region, or around a face of boundary vertices alone.
     let leads_out = |chain: &Vec<u32>| chain.iter().any(|&v| !outside.is_boundary[v as usize]);
     let chains: Vec<Vec<u32>> = chains
-        .filter(|chain| leads_out(chain) && mean_bend(outside, chain).abs() >= OF_EDGES * least)
+        .filter(|chain| leads_out(chain) && may_be_crease(outside, chain, least))
         .collect();
     if let Some(two) = both(outside, &chains, least) {
-        return third(outside, two).filter(|end| end.angle.abs() >= least + SIGNIFICANT * end.error);
+        let is_wide = |end: &CreaseEnd| end.angle.abs() >= least + SIGNIFICANT * end.error;
+        return third(outside, two).filter(|end| is_marked(outside, end) || is_wide(end));
     }
     let mut alone = chains
         .chunks(1)
         .filter_map(|chain| along(outside, chain, 0, least));
     let end = alone.next()?;
     alone.next().is_none().then_some(end)
+}
+
+/// Whether the edges along a chain bend as much as those of a crease, or are marked.
+fn may_be_crease(outside: &Outside<'_>, chain: &[u32], least: f64) -> bool {
+    outside.is_marked(chain[0], chain[1]) || mean_bend(outside, chain).abs() >= OF_EDGES * least
+}
+
+/// Whether the edges from an end are marked sharp.
+fn is_marked(outside: &Outside<'_>, end: &CreaseEnd) -> bool {
+    end.chains
+        .iter()
+        .all(|chain| outside.is_marked(chain[0], chain[1]))
 }
 
 /// The creases along two chains, each of whose sides reach as far as the other.
@@ -99,7 +115,7 @@ fn mean_bend(outside: &Outside<'_>, chain: &[u32]) -> f64 {
 /// Where the edges at a vertex lead to that may be in a chain.
 pub(super) fn bent(outside: &Outside<'_>, v: u32, least: f64) -> Vec<u32> {
     let mut others = outside.neighbours(v);
-    others.retain(|w| outside.bend(v, *w).abs() >= FIRST_BEND * least);
+    others.retain(|w| outside.is_sharp(v, *w, FIRST_BEND * least));
     others
 }
 
@@ -113,10 +129,17 @@ fn along(outside: &Outside<'_>, chains: &[Vec<u32>], which: usize, least: f64) -
     let outward = outside.position(chain[chain.len().min(3) - 1]) - outside.position(chain[0]);
     let fold = |step: usize, most: f64| Fold::of(sides.fits(&chain[step..], most)?, outward);
     let significant = SIGNIFICANT * LONG as f64 / count;
+    let is_marked = outside.is_marked(chain[0], chain[1]);
     // With larger errors an angle is not certain that these bends allow.
-    let most = (bend.abs() / OF_EDGES - least) / significant;
-    let here = fold(0, most.to_radians());
-    let here = here.filter(|fold| fold.is_certain(significant, least) && fold.is_wide(least))?;
+    let most = match is_marked {
+        true => UNCERTAIN,
+        false => (bend.abs() / OF_EDGES - least) / significant,
+    };
+    let is_crease = |fold: &Fold| match is_marked {
+        true => fold.angle.abs() > fold.error,
+        false => fold.is_certain(significant, least) && fold.is_wide(least),
+    };
+    let here = fold(0, most.to_radians()).filter(is_crease)?;
     let lasts = |fold: Option<Fold>| {
         fold.is_some_and(|fold| {
             !fold.is_certain(SIGNIFICANT, least)
@@ -124,7 +147,7 @@ fn along(outside: &Outside<'_>, chains: &[Vec<u32>], which: usize, least: f64) -
         })
     };
     let is_along_edges = bend * here.angle.signum() >= OF_EDGES * here.angle.abs();
-    let goes_on = is_along_edges && (1..steps).all(|step| lasts(fold(step, f64::INFINITY)));
+    let goes_on = is_marked || is_along_edges && (1..steps).all(|step| lasts(fold(step, f64::INFINITY)));
     let (curvature, curvature_error) = curvature(outside, chain, here.direction);
     goes_on.then(|| CreaseEnd {
         vertex: chain[0],
@@ -217,6 +240,7 @@ impl Fold {
 fn chain(outside: &Outside<'_>, v: u32, w: u32, least: f64) -> Vec<u32> {
     let mut chain = vec![v, w];
     let sign = outside.bend(v, w).signum();
+    let is_marked = outside.is_marked(v, w);
     let straightest = libm::cos(TURN.to_radians());
     while chain.len() < AROUND {
         let [before, last] = [chain[chain.len() - 2], chain[chain.len() - 1]];
@@ -224,8 +248,12 @@ fn chain(outside: &Outside<'_>, v: u32, w: u32, least: f64) -> Vec<u32> {
         let sharpness = |next: u32| {
             let step = (outside.position(next) - outside.position(last)).normalize();
             let straight = step.dot(&direction);
-            let bend = outside.bend(last, next) * sign;
-            (straight > straightest && bend >= FIRST_BEND * least).then_some((straight * bend, next))
+            let bend = match is_marked {
+                true => f64::from(u8::from(outside.is_marked(last, next))),
+                false => outside.bend(last, next) * sign,
+            };
+            let is_in = bend > 0.0 && (is_marked || bend >= FIRST_BEND * least);
+            (straight > straightest && is_in).then_some((straight * bend, next))
         };
         let neighbours = outside.neighbours(last).into_iter().filter_map(sharpness);
         match neighbours.max_by(|a, b| a.0.total_cmp(&b.0)) {
@@ -239,7 +267,10 @@ fn chain(outside: &Outside<'_>, v: u32, w: u32, least: f64) -> Vec<u32> {
 /// Of ends of one fold that are within two edges of each other's chains the one that is farthest in, or else the most certain one. Those on both
 /// sides of a narrow strip are two folds.
 fn without_doubles(outside: &Outside<'_>, ends: Vec<CreaseEnd>) -> Vec<CreaseEnd> {
-    let certainty = |end: &CreaseEnd| end.angle.abs() / end.error.max(1e-9);
+    let certainty = |end: &CreaseEnd| match is_marked(outside, end) {
+        true => f64::INFINITY,
+        false => end.angle.abs() / end.error.max(1e-9),
+    };
     let near = |end: &CreaseEnd| {
         let around = end
             .chains
@@ -294,7 +325,7 @@ mod tests {
         let mut all = shape.clone();
         all.free.fill(true);
         let x = all.noise(seed, noise);
-        crease_ends(&Outside::new(&x, &shape.triangles, &shape.free), 20.0)
+        crease_ends(&Outside::new(&x, &shape.triangles, &shape.free, &[]), 20.0)
     }
 
     #[test]
@@ -346,7 +377,7 @@ mod tests {
             (12, 25.0, 24),
         ] {
             let shape = tube(sides);
-            let outside = Outside::new(&shape.positions, &shape.triangles, &shape.free);
+            let outside = Outside::new(&shape.positions, &shape.triangles, &shape.free, &[]);
             assert_eq!(crease_ends(&outside, least).len(), count, "{sides} {least}");
         }
     }
@@ -354,7 +385,7 @@ mod tests {
     #[test]
     fn vertices_without_a_place_hide_no_edge() {
         let shape = piece(Creased::CappedCylinder, 1);
-        let outside = Outside::new(&shape.positions, &shape.triangles, &shape.free);
+        let outside = Outside::new(&shape.positions, &shape.triangles, &shape.free, &[]);
         let end = &crease_ends(&outside, 20.0)[0];
         let beside = |v: &u32| {
             let around = outside.within(*v, 2).vertices;
@@ -366,7 +397,10 @@ mod tests {
         for v in near.into_iter().filter(beside) {
             let mut positions = shape.positions.clone();
             positions[v as usize] = [f64::NAN; 3];
-            let ends = crease_ends(&Outside::new(&positions, &shape.triangles, &shape.free), 20.0);
+            let ends = crease_ends(
+                &Outside::new(&positions, &shape.triangles, &shape.free, &[]),
+                20.0,
+            );
             assert_eq!(ends.len(), 2, "{v}");
         }
     }
@@ -419,7 +453,7 @@ mod tests {
         });
         let triangles: Vec<[u32; 3]> = wall.chain(end).collect();
         let free: Vec<bool> = (0..=4 * count).map(|v| v == 4 * count).collect();
-        let ends = crease_ends(&Outside::new(&x, &triangles, &free), Options::SHARP_AUTO);
+        let ends = crease_ends(&Outside::new(&x, &triangles, &free, &[]), Options::SHARP_AUTO);
         assert_eq!(ends, []);
     }
 
@@ -457,7 +491,7 @@ mod tests {
         let x: Vec<[f64; 3]> = (0..3 * count).map(at).collect();
         let free: Vec<bool> = (0..3 * count).map(|v| (count..count + 4).contains(&v)).collect();
         let triangles: Vec<[u32; 3]> = triangles.collect();
-        let ends = crease_ends(&Outside::new(&x, &triangles, &free), Options::SHARP_AUTO);
+        let ends = crease_ends(&Outside::new(&x, &triangles, &free, &[]), Options::SHARP_AUTO);
         let [first, last] = [count + 4, 2 * count - 1];
         assert_eq!(
             ends.iter().map(|end| end.vertex).collect::<Vec<_>>(),

@@ -16,12 +16,19 @@ pub(super) struct Outside<'a> {
     at: Rows<u32>,
     /// The fixed vertices of triangles with a free one.
     pub(super) is_boundary: Vec<bool>,
+    /// The edges that are marked sharp, ascending, the smaller end first.
+    marked: Vec<[u32; 2]>,
     marks: RefCell<Marks>,
 }
 
 impl<'a> Outside<'a> {
     /// Of a mesh whose triangles name vertices that exist.
-    pub(super) fn new(positions: &'a [[f64; 3]], triangles: &'a [[u32; 3]], is_free: &[bool]) -> Self {
+    pub(super) fn new(
+        positions: &'a [[f64; 3]],
+        triangles: &'a [[u32; 3]],
+        is_free: &[bool],
+        marked: &[[u32; 2]],
+    ) -> Self {
         let has_free = |tri: &[u32; 3]| tri.iter().any(|&v| is_free[v as usize]);
         let mut is_boundary = vec![false; positions.len()];
         for tri in triangles.iter().filter(|tri| has_free(tri)) {
@@ -29,7 +36,7 @@ impl<'a> Outside<'a> {
             fixed.for_each(|&v| is_boundary[v as usize] = true);
         }
         let outside = |tri: &[u32; 3]| !has_free(tri);
-        Self::of(positions, triangles, is_boundary, outside)
+        Self::of((positions, triangles), is_boundary, marked, outside)
     }
 
     /// Of triangles that are all outside, with this boundary.
@@ -37,23 +44,27 @@ impl<'a> Outside<'a> {
         positions: &'a [[f64; 3]],
         triangles: &'a [[u32; 3]],
         is_boundary: Vec<bool>,
+        marked: &[[u32; 2]],
     ) -> Self {
-        Self::of(positions, triangles, is_boundary, |_| true)
+        Self::of((positions, triangles), is_boundary, marked, |_| true)
     }
 
     fn of(
-        positions: &'a [[f64; 3]],
-        triangles: &'a [[u32; 3]],
+        (positions, triangles): (&'a [[f64; 3]], &'a [[u32; 3]]),
         is_boundary: Vec<bool>,
+        marked: &[[u32; 2]],
         is_outside: impl Fn(&[u32; 3]) -> bool,
     ) -> Self {
         let outside = (0..).zip(triangles).filter(|(_, tri)| is_outside(tri));
         let corners = outside.flat_map(|(t, tri)| tri.map(|v| (v, t)));
+        let mut marked: Vec<[u32; 2]> = marked.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
+        marked.sort_unstable();
         Self {
             positions,
             triangles,
             at: Rows::collect(positions.len(), corners),
             is_boundary,
+            marked,
             marks: RefCell::default(),
         }
     }
@@ -86,6 +97,16 @@ impl<'a> Outside<'a> {
         let edge = self.position(b) - self.position(a);
         let size = angle(&left, &right).to_degrees();
         size.copysign(left.cross(&right).dot(&edge))
+    }
+
+    /// Whether an edge is marked sharp.
+    pub(super) fn is_marked(&self, a: u32, b: u32) -> bool {
+        self.marked.binary_search(&[a.min(b), a.max(b)]).is_ok()
+    }
+
+    /// Whether an edge is marked sharp or bends by so much.
+    pub(super) fn is_sharp(&self, a: u32, b: u32, least: f64) -> bool {
+        self.is_marked(a, b) || self.bend(a, b).abs() >= least
     }
 
     /// The vertices to which the edges of the boundary lead from `v`, where these are two.

@@ -220,7 +220,7 @@ impl Sides {
 fn beyond(outside: &Outside<'_>, chain: &[u32], least: f64, is_near: impl Fn(u32) -> bool) -> Vec<[u32; 2]> {
     let creased = |at: u32, done: &[u32]| -> Vec<u32> {
         let is_new = |w: &u32| is_near(*w) && !chain.contains(w) && !done.contains(w);
-        let bends = |w: &u32| outside.bend(at, *w).abs() >= least;
+        let bends = |w: &u32| outside.is_sharp(at, *w, least);
         let others = outside.neighbours(at).into_iter();
         others.filter(|w| is_new(w) && bends(w)).collect()
     };

@@ -1,0 +1,98 @@
+//! Edges that are marked sharp are creases however little they bend.
+
+use crate::fairing::*;
+use crate::sharp::{EDGE, PLACES, distance, piece, with_hole, worst};
+use fairmesh::{FillOptions, Loops, Options, Report, SharpFate, boundary_loops, fill_holes};
+use fairmesh_shapes::*;
+
+/// Less than is taken for a crease.
+const FLAT: Creased = Creased::Wedge(12.0);
+
+/// The edges along the crease, every other one from its other end.
+fn along_crease(shape: &Shape) -> Vec<[u32; 2]> {
+    let is_on = |v: u32| shape.positions[v as usize][1..].iter().all(|x| x.abs() < 1e-9);
+    let edges = shape
+        .triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let on = edges.filter(|edge| edge.iter().all(|&v| is_on(v)));
+    (0..)
+        .zip(on)
+        .map(|(k, [a, b])| if k % 2 == 0 { [a, b] } else { [b, a] })
+        .collect()
+}
+
+fn asked(sharp: f64, marked_edges: Vec<[u32; 2]>) -> Options {
+    Options {
+        sharp,
+        marked_edges,
+        ..options(1e-9)
+    }
+}
+
+fn fates(report: &Report) -> Vec<SharpFate> {
+    report.sharp_edges.iter().map(|edge| edge.fate).collect()
+}
+
+#[test]
+fn they_go_on_whatever_sharp_is() {
+    for seed in 1..=3 {
+        let shape = piece(FLAT, PLACES[0], EDGE, seed);
+        let start = shape.noise(seed, 0.5);
+        let marked = along_crease(&shape);
+        for sharp in [0.0, Options::SHARP_AUTO, 90.0] {
+            let solution = solve_as_asked(&shape, &start, asked(sharp, marked.clone()));
+            assert_success(&solution.report.outcome);
+            assert_eq!(fates(&solution.report), [SharpFate::GoesOn], "{sharp} {seed}");
+            assert_below!(worst(FLAT, &shape, &solution), 1e-6);
+            let without = solve_as_asked(&shape, &start, asked(sharp, Vec::new()));
+            assert_eq!(without.report.sharp_edges, []);
+        }
+    }
+}
+
+/// What is inside of the region, or no edge of the mesh at all, says nothing, and no vertex has to exist.
+#[test]
+fn those_that_are_not_outside_are_ignored() {
+    let shape = piece(FLAT, PLACES[0], EDGE, 1);
+    let is_inside = |edge: &[u32; 2]| edge.iter().any(|&v| shape.free[v as usize]);
+    let mut marked = along_crease(&shape);
+    marked.retain(is_inside);
+    marked.extend([[0, 0], [0, u32::MAX]]);
+    let solution = solve_as_asked(&shape, &shape.positions, asked(0.0, marked));
+    assert_eq!(solution.report.sharp_edges, []);
+    let without = solve_as_asked(&shape, &shape.positions, asked(0.0, Vec::new()));
+    assert_eq!(solution.positions, without.positions);
+}
+
+#[test]
+fn holes_are_closed_with_them() {
+    for seed in 1..=3 {
+        let shape = with_hole(FLAT, PLACES[1], EDGE, seed);
+        let loops = boundary_loops(&shape.positions, &shape.triangles).unwrap();
+        let shortest = (0..loops.len()).min_by(|&a, &b| loops[a].length.total_cmp(&loops[b].length));
+        let ask = FillOptions {
+            loops: Loops::Chosen(vec![shortest.unwrap()]),
+            fairing: asked(0.0, along_crease(&shape)),
+            ..FillOptions::default()
+        };
+        let filled = fill_holes(&shape.positions, &shape.triangles, &ask).unwrap();
+        let fairing = filled.loops.iter().find_map(|report| {
+            let fairing = report.fairing.as_ref();
+            fairing.filter(|fairing| !fairing.sharp_edges.is_empty())
+        });
+        assert_eq!(
+            fates(fairing.expect("sharp edges")),
+            [SharpFate::GoesOn],
+            "{seed}"
+        );
+        assert!(
+            boundary_loops(&filled.positions, &filled.triangles)
+                .unwrap()
+                .len()
+                <= 1
+        );
+        let new = filled.positions[shape.positions.len()..].iter();
+        assert_below!(new.map(|p| distance(FLAT, *p)).fold(0.0, f64::max), 1e-6);
+    }
+}
