@@ -113,6 +113,7 @@ Values bridge_boundaries(MeshModel &model, const MeshView &view, BridgeParameter
     std::vector<std::uint32_t> both = ends[0];
     both.insert(both.end(), ends[1].begin(), ends[1].end());
     scale_bulge(asked.options, view.diagonal(both));
+    view.mark_edges(asked.options);
     bool cancelled = false;
     asked.options.on_progress = shown(host, cancelled);
     const auto bridged = fairmesh::bridge(view.mesh(), ends[0], ends[1], asked.how, asked.fill, asked.options);

@@ -177,6 +177,7 @@ Values close_holes(MeshModel &model, const MeshView &view, CloseParameters asked
         asked.fill.join_groups({close});
     }
     scale_bulge(asked.options, size_of(open.loops, close, all_at_selection, view));
+    view.mark_edges(asked.options);
     bool cancelled = false;
     asked.options.on_progress = shown(host, cancelled);
     const auto filled = fairmesh::fill_holes(with_triangles(view, open.triangles), asked.fill, asked.options);

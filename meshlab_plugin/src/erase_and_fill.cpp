@@ -30,6 +30,7 @@ Values erase_and_fill(MeshModel &model, const MeshView &view, CloseParameters as
     for (std::uint32_t loop : left.loops)
         for (std::uint32_t v : loops.list(FAIRMESH_LIST_LOOP_VERTICES, loop)) rim.push_back(v);
     scale_bulge(asked.options, view.diagonal(rim));
+    view.mark_edges(asked.options);
     bool cancelled = false;
     asked.options.on_progress = shown(host, cancelled);
     const auto filled = fairmesh::fill_holes(open, asked.fill, asked.options);

@@ -42,6 +42,7 @@ Values fair_selection(MeshModel &model, const MeshView &view, FairParameters ask
     for (std::uint32_t triangle : view.selected())
         for (std::uint32_t v : view.triangles()[triangle]) corners.push_back(v);
     scale_bulge(asked.options, view.diagonal(corners));
+    view.mark_edges(asked.options);
     bool cancelled = false;
     asked.options.on_progress = shown(host, cancelled);
 

@@ -18,7 +18,10 @@ MeshView::MeshView(const CMeshO &mesh) : host_(mesh) {
         if (face.IsS()) selected_.push_back(static_cast<std::uint32_t>(triangles_.size()));
         faces_.push_back(static_cast<std::uint32_t>(i));
         triangles_.push_back({});
-        for (int k = 0; k < 3; ++k) triangles_.back()[k] = static_cast<std::uint32_t>(face.cV(k) - first);
+        auto &triangle = triangles_.back();
+        for (int k = 0; k < 3; ++k) triangle[k] = static_cast<std::uint32_t>(face.cV(k) - first);
+        for (int k = 0; k < 3; ++k)
+            if (face.IsFaceEdgeS(k)) selected_edges_.push_back({triangle[k], triangle[(k + 1) % 3]});
     }
 }
 
@@ -28,6 +31,11 @@ fairmesh_mesh MeshView::mesh() const {
     if (join_ < 0) made.coincident = FAIRMESH_COINCIDENT_SEPARATE;
     else made.coincident_within = join_;
     return made;
+}
+
+void MeshView::mark_edges(fairmesh_options &options) const {
+    if (options.sharp > 0 && !selected_edges_.empty())
+        options.marked_edges = fairmesh::indices(selected_edges_.front().data(), selected_edges_.size());
 }
 
 double MeshView::diagonal(const std::vector<std::uint32_t> &vertices) const {

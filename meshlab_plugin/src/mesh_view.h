@@ -30,6 +30,8 @@ class MeshView {
     std::uint32_t face(std::size_t triangle) const { return faces_[triangle]; }
     /** The selected triangles. */
     const std::vector<std::uint32_t> &selected() const { return selected_; }
+    /** Those of the selected edges, as by 'Select Crease Edges', that sharp edges outside may be, if any are asked for. */
+    void mark_edges(fairmesh_options &options) const;
     /** The diagonal of the bounding box of vertices. */
     double diagonal(const std::vector<std::uint32_t> &vertices) const;
     /** A text of the library with its triangles' numbers replaced by those of the host's faces. */
@@ -41,6 +43,7 @@ class MeshView {
     std::vector<std::array<std::uint32_t, 3>> triangles_;
     std::vector<std::uint32_t> faces_;
     std::vector<std::uint32_t> selected_;
+    std::vector<std::array<std::uint32_t, 2>> selected_edges_;
 };
 
 } // namespace fairmesh_meshlab

@@ -76,6 +76,7 @@ PARAMETERS = {
         "ReprojectFlag": ("RichBool", "false"),
     },
     "Delete Selected Faces": {},
+    "Select Crease Edges": {"AngleDegNeg": ("RichFloat", -45), "AngleDegPos": ("RichFloat", 45)},
     "Conditional Face Selection": {"condSelect": ("RichString", "")},
 }
 

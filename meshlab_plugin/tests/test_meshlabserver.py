@@ -351,6 +351,15 @@ class Refused(Case):
             self.assertRegex(text, said)
             self.assertEqual("Sharp edge" in text, sharp > 0)
 
+    def test_selected_edges_are_sharp(self):
+        vertices, faces, inside = meshes.roof(False)
+        file = self.case(vertices * [1, 1, 0.1], faces, inside[faces].any(axis=1))
+        for select in ((), (("Select Crease Edges", {"AngleDegNeg": -5, "AngleDegPos": 5}),)):
+            mesh, text = self.applied(file, *select, (FAIR, {"sharp": 90}))
+            at = meshes.points(mesh)
+            self.assertEqual(np.abs(at[:, 2] + 0.1 * np.abs(at[:, 1])).max() < 1e-5, bool(select))
+            self.assertEqual("(11.42 degrees)" in text, bool(select), text)
+
     def test_figures_are_those_of_the_floats_that_are_stored(self):
         vertices, faces, selected, inside = dented_sphere()
         file = self.case(vertices + 2.0**14, faces, selected)

@@ -771,6 +771,18 @@ class Sharp(Case):
         self.assertGreater(off, 0.1)
         self.assertEqual(values["sharp_edges"], 0)
 
+    def test_selected_edges_go_on_however_little_they_bend(self):
+        vertices, faces, inside = meshes.roof(False)
+        for selected in (False, True):
+            ms = mesh_set(vertices * [1, 1, 0.1], faces, f_scalar_array=inside[faces].any(axis=1).astype(float))
+            ms.compute_selection_by_condition_per_face(condselect="fq > 0.5")
+            if selected:
+                ms.compute_selection_crease_per_edge(angledegneg=-5, angledegpos=5)
+            values = ms.apply_filter(FAIR, sharp=90)
+            at = ms.current_mesh().vertex_matrix()
+            off = np.abs(at[:, 2] + 0.1 * np.abs(at[:, 1])).max()
+            self.assertEqual((values["sharp_edges"], off < 1e-5), (int(selected), selected), off)
+
     def test_one_that_ends_is_no_success(self):
         _, values = self.faired(20, is_fading=True)
         self.assertEqual((values["sharp_edges"], values["converged"]), (1, False))

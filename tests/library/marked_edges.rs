@@ -51,6 +51,39 @@ fn they_go_on_whatever_sharp_is() {
     }
 }
 
+/// As flat shading marks them, and edges of the boundary say nothing about what arrives there.
+#[test]
+fn all_edges_of_a_mesh_are_none() {
+    let edges = |shape: &Shape| -> Vec<[u32; 2]> {
+        let edges = shape
+            .triangles
+            .iter()
+            .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        edges.collect()
+    };
+    let fairs = |shape: &Shape, marked: Vec<[u32; 2]>| {
+        let start = shape.noise(1, 0.5);
+        fates(&solve_as_asked(shape, &start, asked(0.0, marked)).report)
+    };
+    let sphere = sphere_cap(60.0, 400, irregular(1), 6);
+    assert_eq!(fairs(&sphere, edges(&sphere)), []);
+    let roof = piece(FLAT, PLACES[0], EDGE, 1);
+    let mut marked = along_crease(&roof);
+    let is_rim = |v: u32| !roof.free[v as usize] && is_beside(&roof, v);
+    marked.extend(
+        edges(&roof)
+            .into_iter()
+            .filter(|edge| edge.iter().all(|&v| is_rim(v))),
+    );
+    assert_eq!(fairs(&roof, marked), [SharpFate::GoesOn]);
+}
+
+/// Whether a vertex is in a triangle with a free one.
+fn is_beside(shape: &Shape, v: u32) -> bool {
+    let mut around = shape.triangles.iter().filter(|tri| tri.contains(&v));
+    around.any(|tri| tri.iter().any(|&w| shape.free[w as usize]))
+}
+
 /// What is inside of the region, or no edge of the mesh at all, says nothing, and no vertex has to exist.
 #[test]
 fn those_that_are_not_outside_are_ignored() {

@@ -46,13 +46,21 @@ class MESH_OT_fairmesh_bridge(Background, filling.Filling, BridgeOptions, bpy.ty
             return None
         # The thread reads no properties.
         fill_rest, width = self.fill_rest, self.width
+        marked_keywords = self.marked_keywords()
         keywords = self.patch_keywords(filling.largest_diagonal((each.mesh, np.concatenate(each.join)) for each in chosen))
 
         def compute(each, monitor):
             mesh = each.mesh
             long = width / mesh.size if width > 0 else None
             return fairmesh.bridge(
-                mesh.seen(), mesh.triangles, *each.join, width=long, fill=fill_rest, cancel=monitor, **keywords
+                mesh.seen(),
+                mesh.triangles,
+                *each.join,
+                width=long,
+                fill=fill_rest,
+                cancel=monitor,
+                **keywords,
+                **marked_keywords(mesh),
             )
 
         return for_each(chosen, compute)

@@ -58,7 +58,8 @@ class MESH_OT_fairmesh_fair(Background, RegionOptions, FairingOptions, bpy.types
         free = region.free_mask(mesh, self.is_by_faces(context))
         symmetry = region.Symmetry(mesh, free)
         mesh.triangles = triangulation.cut_evenly(mesh, free)
-        return Region(mesh, free, symmetry, self.fairing_keywords(region.diagonal(mesh, free)))
+        keywords = {**self.fairing_keywords(region.diagonal(mesh, free)), **self.marked_keywords()(mesh)}
+        return Region(mesh, free, symmetry, keywords)
 
     def finish(self, context, regions):
         moved = [_positions(part) for part in regions]

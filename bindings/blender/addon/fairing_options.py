@@ -11,7 +11,7 @@ from .fairmesh._abi import SHARP_AUTO
 from .properties import choice, selection, switch
 
 #: The library's names for degrees, and what it does where nothing is asked.
-_SHARP = {"OFF": "off", "AUTO": "auto"}
+_SHARP = {"OFF": "off", "AUTO": "auto", "MARKED": "off"}
 _DEGREES = default_options()["sharp"]
 
 
@@ -85,8 +85,13 @@ class FairingOptions:
         "Sharp Edges",
         "What becomes of sharp edges around the selection that lead into it. In Fair Live they end there",
         ("OFF", "Smooth", "They end at the selection: inside, the surface is smooth"),
-        ("AUTO", "Go On", "Those that are certain go on in it, if they fit each other: vertices are placed along them"),
-        ("ANGLE", "Go On by Angle", "The same, of those that bend by the angle or more"),
+        (
+            "AUTO",
+            "Go On",
+            "Those that are certain or marked sharp or creased go on, if they fit each other: vertices lie along them then",
+        ),
+        ("ANGLE", "Go On by Angle", "The same, of those that bend by the angle or more, or are marked"),
+        ("MARKED", "Go On if Marked", "The same, of those alone that are marked sharp or creased"),
         default={0.0: "OFF", SHARP_AUTO: "AUTO"}.get(_DEGREES, "ANGLE"),
     )
     sharp_angle: FloatProperty(
@@ -153,6 +158,12 @@ class FairingOptions:
         layout.prop(self, "digits")
         layout.prop(self, "max_iterations")
         layout.prop(self, "check_intersections")
+
+    def marked_keywords(self):
+        """A function from a `Snapshot` to its edges that are sharp because they are marked, for `fairmesh.fair`."""
+        if self.sharp == "OFF":
+            return lambda mesh: {}
+        return lambda mesh: {"marked_edges": mesh.marked_edges}
 
     def fairing_keywords(self, diagonal):
         """The same for `fairmesh.fair`; `diagonal` is that of the region."""

@@ -84,6 +84,7 @@ class Filling(FairingOptions, PatchOptions):
 
         has_rows = self.faces != "TRIANGLES" and self.smooth and not getattr(self, "relax_rim", 0)
         density, fairing = self.density, {name: keywords[name] for name in self.fairing_keywords(1.0)}
+        marked_keywords = self.marked_keywords()
         rim_keywords = self.rim_keywords() if isinstance(self, RimOptions) else lambda size: {}
 
         def compute(holes, monitor):
@@ -96,6 +97,7 @@ class Filling(FairingOptions, PatchOptions):
                 guides=np.array(holes.guides) if holes.guides else None,
                 cancel=monitor,
                 **rim_keywords(mesh.size),
+                **marked_keywords(mesh),
                 **keywords,
             )
             # Pairs say how the loops are turned against each other.

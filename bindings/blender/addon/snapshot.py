@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import bmesh
+import bpy
 import numpy as np
 
 from . import custom_normals, fairmesh
@@ -39,6 +40,8 @@ class Snapshot:
     #: How many faces each edge has, (e,), and the vertices at edges with one, (n,).
     edge_faces: np.ndarray
     on_boundary: np.ndarray
+    #: The vertices of edges that are marked sharp or creased, (k, 2).
+    marked_edges: np.ndarray
     #: 3 by 3: where lengths and angles are those seen in the scene. None: in the object's own coordinates.
     shape: object
     #: Custom normals of the corners, (k, 3), or None.
@@ -114,10 +117,21 @@ def read(obj):
         corner_starts=np.concatenate([[0], np.cumsum(sizes, dtype=np.int64)]),
         edge_faces=edge_faces,
         on_boundary=_on_boundary(mesh, edge_faces),
+        marked_edges=_marked_edges(mesh),
         shape=_shape(obj),
         normals=custom_normals.read(mesh),
         size=_size(obj),
     )
+
+
+def _marked_edges(mesh):
+    marked = _get(mesh.edges, "use_edge_sharp", bool)
+    attributes = mesh.attributes
+    if "crease_edge" in attributes:
+        marked |= _get(attributes["crease_edge"].data, "value", np.float32) > 0
+    elif "crease" in bpy.types.MeshEdge.bl_rna.properties:  # before Blender 4.0
+        marked |= _get(mesh.edges, "crease", np.float32) > 0
+    return _indices(mesh.edges, "vertices", 2)[marked]
 
 
 def _on_boundary(mesh, edge_faces):

@@ -141,6 +141,27 @@ def flattened_roof():
     return _roof(lambda x, y, is_inside: np.where(is_inside, -3.0, -np.abs(y)))
 
 
+#: How steep `flatten_and_mark` leaves the roof.
+FLAT = 0.1
+
+
+def flatten_and_mark(obj, how):
+    """Makes the roof so flat that its ridge is no sharp edge, and marks that as "SHARP" or "CREASE", if asked."""
+    mesh = bmesh.from_edit_mesh(obj.data)
+    if how == "CREASE":
+        layers = mesh.edges.layers
+        layer = layers.crease.verify() if hasattr(layers, "crease") else layers.float.new("crease_edge")
+    for vertex in mesh.verts:
+        vertex.co.z *= FLAT
+    for edge in mesh.edges:
+        if how and all(abs(vertex.co.y) < 0.5 for vertex in edge.verts):
+            if how == "SHARP":
+                edge.smooth = False
+            else:
+                edge[layer] = 1.0
+    bmesh.update_edit_mesh(obj.data)
+
+
 def fading_ridge():
     """A ridge of 53 degrees along the x axis, which leads into the selected faces; beyond them the surface is flat."""
 

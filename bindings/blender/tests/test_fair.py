@@ -587,6 +587,19 @@ def test_sharp_edges_go_on():
         assert off_roof(obj) > 0.1 and "sharp" not in said().split(":")[0], said()
 
 
+def test_marked_edges_go_on():
+    for how in ("SHARP", "CREASE"):
+        for sharp, goes_on in (("AUTO", how), ("MARKED", how), ("AUTO", ""), ("OFF", how)):
+            common.clear()
+            obj = common.flattened_roof()
+            common.flatten_and_mark(obj, how if goes_on else "")
+            fair(sharp=sharp)
+            at = coordinates(obj)
+            off = np.abs(at[:, 2] + common.FLAT * np.abs(at[:, 1])).max()
+            assert (off < 1e-5) == (sharp != "OFF" and bool(goes_on)), (how, sharp, goes_on, off)
+            assert ("1 sharp edge goes on" in said()) == (off < 1e-5), said()
+
+
 def test_a_sharp_edge_that_ends_is_told():
     common.clear()
     common.fading_ridge()

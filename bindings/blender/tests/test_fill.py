@@ -152,6 +152,19 @@ def test_a_sharp_edge_goes_on_through_a_patch():
         assert "1 sharp edge goes on" in common.said(), common.said()
 
 
+def test_a_marked_edge_goes_on_through_a_patch():
+    for sharp in ("AUTO", "MARKED", "OFF"):
+        common.clear()
+        obj = common.flattened_roof()
+        common.flatten_and_mark(obj, "SHARP")
+        delete_faces(obj, lambda face: any(max(abs(v.co.x), abs(v.co.y)) < 4 for v in face.verts))
+        select_boundary(obj, lambda edge: max(abs(v.co.x) for v in edge.verts) < 6)
+        fill(sharp=sharp)
+        at = coordinates(obj)
+        off = np.abs(at[:, 2] + common.FLAT * np.abs(at[:, 1])).max()
+        assert (off < 1e-4) == (sharp != "OFF"), (sharp, off)
+
+
 def two_holes():
     obj = irregular_sphere(20)
     delete_faces(obj, lambda f: f.calc_center_median().z > 0.9 or f.calc_center_median().z < -0.97)

@@ -16,7 +16,7 @@ pub(super) struct Outside<'a> {
     at: Rows<u32>,
     /// The fixed vertices of triangles with a free one.
     pub(super) is_boundary: Vec<bool>,
-    /// The edges that are marked sharp, ascending, the smaller end first.
+    /// Those of the edges that are marked sharp, by [`creases`].
     marked: Vec<[u32; 2]>,
     marks: RefCell<Marks>,
 }
@@ -57,14 +57,12 @@ impl<'a> Outside<'a> {
     ) -> Self {
         let outside = (0..).zip(triangles).filter(|(_, tri)| is_outside(tri));
         let corners = outside.flat_map(|(t, tri)| tri.map(|v| (v, t)));
-        let mut marked: Vec<[u32; 2]> = marked.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
-        marked.sort_unstable();
         Self {
             positions,
             triangles,
             at: Rows::collect(positions.len(), corners),
+            marked: creases(marked, &is_boundary),
             is_boundary,
-            marked,
             marks: RefCell::default(),
         }
     }
@@ -158,6 +156,24 @@ impl<'a> Outside<'a> {
         ids.iter().for_each(|&t| is_taken[t as usize] = false);
         Near { vertices, triangles }
     }
+}
+
+/// More edges of creases do not meet in a vertex.
+const MOST_AT_CORNER: usize = 3;
+
+/// Those of the marked edges that lead away from the boundary and are not all of a grid, as flat shading marks them; ascending, the
+/// smaller end first.
+fn creases(marked: &[[u32; 2]], is_boundary: &[bool]) -> Vec<[u32; 2]> {
+    let mut marked: Vec<[u32; 2]> = marked.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
+    marked.sort_unstable();
+    marked.dedup();
+    let mut ends: Vec<u32> = marked.iter().flatten().copied().collect();
+    ends.sort_unstable();
+    let count = |v: u32| ends.partition_point(|&w| w <= v) - ends.partition_point(|&w| w < v);
+    let is_boundary = |v: &u32| is_boundary.get(*v as usize).is_some_and(|is| *is);
+    let is_of_crease = |v: &u32| is_boundary(v) || count(*v) <= MOST_AT_CORNER;
+    marked.retain(|edge| !edge.iter().all(is_boundary) && edge.iter().all(is_of_crease));
+    marked
 }
 
 /// A part of the surroundings.
