@@ -56,7 +56,7 @@ int as_int(std::uint64_t number) { return static_cast<int>(std::min<std::uint64_
 void add_sharp(RichParameterList &list, bool is_fairing) {
     const auto standard = static_cast<Scalar>(fairmesh::options().sharp);
     const char *label = "Sharp edges from (degrees)";
-    const std::string help = text("Edges around that bend by this or more, or are selected, go on in it. %.0f: certain ones. 0: none.", FAIRMESH_SHARP_AUTO);
+    const std::string help = text("Sharper ones around, and selected ones, go on. %.0f: certain ones. 0: none.", FAIRMESH_SHARP_AUTO);
     if (is_fairing) list.addParam(RichFloat("sharp", standard, label, help.c_str()));
     else add_advanced<RichFloat>(list, "sharp", standard, label, help.c_str());
 }
