@@ -224,9 +224,10 @@ fn blend(piece: &[u32], fits: &[Option<Fit>], most: f64, normals: &mut [Vector3<
     }
 }
 
-/// The angle between two unit vectors.
+/// The angle between two vectors; zero where one of them is.
 pub(crate) fn angle(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
-    libm::atan2(a.cross(b).norm(), a.dot(b))
+    // Products with a zero may be -0, of which the arc tangent is half a turn.
+    libm::atan2(a.cross(b).norm(), a.dot(b) + 0.0)
 }
 
 /// The unit vector a fraction `s` of the way from `a` to `b` along their great circle.

@@ -53,6 +53,8 @@ pub(crate) enum Weights {
     Asked,
     /// Mean-value weights of the surface of least bending, which is so its solution already (nearly: its rings are not plane).
     LeastBending,
+    /// Of the input's triangles, where uniform ones are asked.
+    Input,
     /// As the attempts before have left it, repaired.
     AsLeft,
     /// None: vertices move along the normals alone. On a surface that is nearly closed, inner fairness (7.3) has no solution, or one that
@@ -68,6 +70,8 @@ pub(crate) enum Start {
     AtHand,
     /// The linear surface (7.4) with the inner fairness that is asked for.
     Linear,
+    /// The same with the attempt's own.
+    OwnLinear,
     /// The surface that descent from the linear one leads to.
     LeastBending,
     /// The surface found on the coarse mesh,
@@ -190,6 +194,16 @@ pub(crate) const LADDER: &[Rung] = &[
         options: DIRECT,
         kept: Kept::Result,
     },
+    // Uniform weights fold triangles where the connectivity is that of other places, as beside a crease.
+    Rung {
+        name: "spread as the input",
+        condition: Condition::Always,
+        weights: Weights::Input,
+        start: Start::OwnLinear,
+        procedure: Procedure::WeightRepair,
+        options: DIRECT,
+        kept: Kept::Sound,
+    },
     Rung {
         name: "second surface",
         condition: Condition::Harmonic,
@@ -244,6 +258,7 @@ mod tests {
         match start {
             Start::AtHand => "surface at hand",
             Start::Linear => "linear",
+            Start::OwnLinear => "linear with these weights",
             Start::LeastBending => "least bending",
             Start::Coarse => "of the coarse mesh",
             Start::CoarseMember => "member of the coarse mesh",
@@ -271,6 +286,7 @@ mod tests {
         let weights = match attempt.weights {
             Weights::Asked => "asked",
             Weights::LeastBending => "of least bending",
+            Weights::Input => "of the input",
             Weights::AsLeft => "as left",
             Weights::None => "none",
         };

@@ -163,6 +163,16 @@ impl System {
         }
     }
 
+    /// What is asked for, spread as the triangles of the input are, where it is to be uniform.
+    pub(crate) fn spread_as_input(&self) -> Option<Formulation> {
+        let domain = &self.domain;
+        let weights = || FairnessWeights::conformal(&domain.batches, domain.surface());
+        self.asked().weights.slots.is_none().then(|| Formulation {
+            of_surface: true,
+            ..self.asked().weighted(weights().into())
+        })
+    }
+
     /// What is asked for.
     pub(crate) fn asked(&self) -> &Formulation {
         &self.asked

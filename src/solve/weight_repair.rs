@@ -203,11 +203,9 @@ impl Marks {
         if !is_due || !system.domain.is_stretched() {
             return None;
         }
-        let domain = &system.domain;
-        let weights = FairnessWeights::conformal(&domain.batches, domain.surface());
         let as_input = Formulation {
-            of_surface: true,
-            ..formulation.weighted(weights.into())
+            right_hand_side: formulation.right_hand_side,
+            ..system.spread_as_input()?
         };
         *self = Self::new(system, &as_input, None);
         system.factor_inner(&as_input.weights).ok()?;

@@ -17,6 +17,7 @@ mod coincident;
 mod components;
 mod continuity;
 mod continuity_loops;
+mod cube_regions;
 mod defects;
 mod density;
 mod golden;

@@ -168,9 +168,9 @@ impl<'a> Membrane<'a> {
         let mut path = vec![from];
         let mut at = part(from);
         while let Some(before) = at {
-            let beside = self.domain.rings.neighbours(path[path.len() - 1] as usize).iter();
-            let fixed = beside.filter(|w| !self.domain.region.is_free(**w) && !self.taken[**w as usize]);
-            let beyond = fixed.filter_map(|&w| Some((part(w).filter(|p| (p - before) * way > 0.0)?, w)));
+            let beside = self.neighbours(path[path.len() - 1]);
+            let fixed = beside.filter(|w| !self.domain.region.is_free(*w) && !self.taken[*w as usize]);
+            let beyond = fixed.filter_map(|w| Some((part(w).filter(|p| (p - before) * way > 0.0)?, w)));
             let next = beyond.min_by(|a, b| (a.0 * way).total_cmp(&(b.0 * way)));
             at = next.map(|(part, w)| {
                 path.push(w);
@@ -178,6 +178,18 @@ impl<'a> Membrane<'a> {
             });
         }
         path
+    }
+
+    /// The vertices at the other ends of a vertex's edges, those of triangles outside, too.
+    fn neighbours(&self, v: u32) -> impl Iterator<Item = u32> {
+        let region = &self.domain.region;
+        let outside = region.half_edges.triangles[region.half_edges.region_triangles..].iter();
+        let around = outside.filter(move |tri| tri.contains(&v)).flatten();
+        let inside = match (v as usize) < region.region_vertices() {
+            true => self.domain.rings.neighbours(v as usize),
+            false => &[],
+        };
+        around.chain(inside).copied().filter(move |w| *w != v)
     }
 
     /// Which parts of the crease's length are before the vertices of a path: evenly between those that are fixed; `None` where that stretches

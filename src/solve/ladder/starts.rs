@@ -98,6 +98,7 @@ impl Ladder {
                 let (_, formulation) = self.least_bending(system, control)?;
                 formulation.clone()
             }
+            Weights::Input => system.spread_as_input()?,
             Weights::AsLeft => self.left(system),
             Weights::None => Formulation {
                 along_normals: true,
@@ -107,6 +108,10 @@ impl Ladder {
         let start = match attempt.start {
             Start::AtHand => self.at_hand.take(),
             Start::Linear => self.linear.clone(),
+            Start::OwnLinear => {
+                system.factor_inner(&formulation.weights).ok()?;
+                system.start(&formulation, control).ok()
+            }
             Start::Coarse => self.of_coarse_mesh(false, &mut formulation, system, control),
             Start::CoarseMember => self.of_coarse_mesh(true, &mut formulation, system, control),
             Start::MinimalEnergy => self.minimal_energy.clone(),
