@@ -1813,7 +1813,7 @@ typedef struct fairmesh_options {
      */
     uint32_t interior_normals;
     /**
-     * A `fairmesh_inner_fairness`: how vertices are distributed within the surface. Default: uniform; where that leads nowhere and most triangles of the input are stretched, as conformal (`fallback_weights` of the report counts such vertices).
+     * A `fairmesh_inner_fairness`: how vertices are distributed within the surface. Default: uniform; where nothing leads to a sound surface so, as conformal (`fallback_weights` of the report counts such vertices).
      */
     uint32_t inner_fairness;
     /**

@@ -27,7 +27,7 @@ pub struct fairmesh_options {
     pub struct_size: u32,
     /// A `fairmesh_interior_normals`: normals of fixed vertices inside the region that have none given. Default: the surface passes smoothly.
     pub interior_normals: u32,
-    /// A `fairmesh_inner_fairness`: how vertices are distributed within the surface. Default: uniform; where that leads nowhere and most triangles of the input are stretched, as conformal (`fallback_weights` of the report counts such vertices).
+    /// A `fairmesh_inner_fairness`: how vertices are distributed within the surface. Default: uniform; where nothing leads to a sound surface so, as conformal (`fallback_weights` of the report counts such vertices).
     pub inner_fairness: u32,
     /// A `fairmesh_discretization`: how normals and mean curvature are discretized. Default: second order.
     pub discretization: u32,

@@ -112,8 +112,8 @@ options! {
         boundary_curvature: BoundaryCurvature = BoundaryCurvature::default(), with "fairmesh_boundary_curvature";
         /// What `Delta_B H` has to be. Default: zero.
         target: Target = Target::default(), with "fairmesh_target";
-        /// How vertices are distributed within the surface. Default: uniform; where that leads nowhere and most triangles of the input are
-        /// stretched, as conformal (`fallback_weights` of the report counts such vertices).
+        /// How vertices are distributed within the surface. Default: uniform; where nothing leads to a sound surface so, as conformal
+        /// (`fallback_weights` of the report counts such vertices).
         inner_fairness: InnerFairness = InnerFairness::default(), choice "fairmesh_inner_fairness";
         /// How normals and mean curvature are discretized. Default: second order.
         discretization: Discretization = Discretization::default(), choice "fairmesh_discretization";
