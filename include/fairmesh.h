@@ -964,7 +964,7 @@ enum fairmesh_sharp_fate
      */
     FAIRMESH_SHARP_FATE_ALONE = 2,
     /**
-     * No path of edges can follow the crease: the region is smooth there.
+     * No path of edges, or no sound patch, can follow the crease: the surface is smooth there.
      */
     FAIRMESH_SHARP_FATE_NO_PATH = 3,
 };

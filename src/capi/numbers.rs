@@ -278,7 +278,7 @@ pub enum fairmesh_sharp_fate {
     Corner = 1,
     /// No other end fits it: the region is smooth there.
     Alone = 2,
-    /// No path of edges can follow the crease: the region is smooth there.
+    /// No path of edges, or no sound patch, can follow the crease: the surface is smooth there.
     NoPath = 3,
 }
 

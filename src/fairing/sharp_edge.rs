@@ -32,8 +32,8 @@ choices! {
         1 "corner" Corner => "creases go on to a corner in the region, or to two that a crease joins", "";
         2 "alone" Alone => "no other end fits it: the region is smooth there",
             "select so much that the crease ends outside, or leaves the region again";
-        3 "no_path" NoPath => "no path of edges can follow the crease: the region is smooth there",
-            "triangulate the region anew";
+        3 "no_path" NoPath => "no path of edges, or no sound patch, can follow the crease: the surface is smooth there",
+            "triangulate the region anew, or move its boundary";
     }
 }
 
