@@ -2,6 +2,7 @@
 # Runs the benchmark, and writes docs/benchmark.md and benchmark/results.json. Installs what it needs (Debian 12 with Rust): meshes of Debian's
 # libcgal-demo, the programs from PyPI, CGAL's headers, and from GitHub PMP, into target/benchmark.
 #   benchmark/run.sh                            everything, in about half an hour on two cores
+#   benchmark/run.sh --only fairmesh            this program anew; of the others the last results stay
 #   benchmark/run.sh --only fairmesh --quick    a third of the cases, compared with the committed results
 #   benchmark/run.sh test                       tests of the measures
 set -euo pipefail

@@ -1865,7 +1865,7 @@ typedef struct fairmesh_options {
      */
     uint64_t max_iterations;
     /**
-     * Edges that are sharp however little they bend, as marked by hand: pairs of vertices. Where they reach the boundary from outside, creases arrive, too, whatever `sharp` is. Those that are not outside are ignored. Default: none. Two indices side by side.
+     * Edges that are sharp however little they bend, as marked by hand: pairs of vertices. Where they reach the boundary from outside, creases arrive, too, whatever `sharp` is; inside they say which edges are to lie on one that goes on. Default: none. Two indices side by side.
      */
     struct fairmesh_indices marked_edges;
     /**

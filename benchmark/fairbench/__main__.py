@@ -34,7 +34,7 @@ def asked() -> argparse.Namespace:
     parser.add_argument("--data", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--environments", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--work", type=Path, required=True, help=argparse.SUPPRESS)
-    parser.add_argument("--only", default="", help="programs whose folders are these, separated by commas")
+    parser.add_argument("--only", default="", help="programs whose folders are these, separated by commas; of others the last results stay")
     parser.add_argument("--quick", action="store_true", help="every third case, compared with the committed results; nothing is written")
     parser.add_argument("--seeds", type=int, default=3, help="so many sets of cases; with --quick it is one")
     parser.add_argument("--page", action="store_true", help="runs nothing: the page of the last results")
@@ -53,6 +53,9 @@ def main() -> int:
     rows, versions = run_all(args, some)
     if args.quick:
         return compared(rows)
+    if args.only:
+        rows, versions = with_others(rows, versions)
+        some = programs()
     RESULTS.write_text(json.dumps({"versions": versions, "runs": [each._asdict() for each in rows]}, indent=1) + "\n")
     write_page(args, rows, some, versions)
     return 0
@@ -76,6 +79,15 @@ def run_all(args: argparse.Namespace, some: list[Program]) -> tuple[list[Row], d
                     versions[found.program] = version or versions.get(found.program, "")
             print(f"{case.name} {seed}: {', '.join(f'{each.program} {100 * each.error():.2g} %' for each in rows[-len(able) :])}", flush=True)
     return rows, versions
+
+
+def with_others(rows: list[Row], versions: dict[str, str]) -> tuple[list[Row], dict[str, str]]:
+    """These results, and the committed ones of programs that were not run."""
+    told = json.loads(RESULTS.read_text())
+    now = {(each.problem(), each.program): each for each in rows}
+    before = [Row(**each) for each in told["runs"]]
+    merged = [now.pop((each.problem(), each.program), each) for each in before]
+    return merged + list(now.values()), told["versions"] | versions
 
 
 def write_page(args: argparse.Namespace, rows: list[Row], some: list[Program], versions: dict[str, str]) -> None:

@@ -53,7 +53,7 @@ pub struct fairmesh_options {
     pub tolerance: f64,
     /// At most this many nonlinear iterations for each component of the region. Default 500. At least 1.
     pub max_iterations: u64,
-    /// Edges that are sharp however little they bend, as marked by hand: pairs of vertices. Where they reach the boundary from outside, creases arrive, too, whatever `sharp` is. Those that are not outside are ignored. Default: none. Two indices side by side.
+    /// Edges that are sharp however little they bend, as marked by hand: pairs of vertices. Where they reach the boundary from outside, creases arrive, too, whatever `sharp` is; inside they say which edges are to lie on one that goes on. Default: none. Two indices side by side.
     pub marked_edges: fairmesh_indices,
     /// Called with the progress; may be NULL, the default.
     pub progress: fairmesh_progress_fn,

@@ -22,7 +22,8 @@ pub struct SharpArgs {
     pub sharp: f64,
 
     /// Edges from each of these vertices to the next one are sharp, too, however little
-    /// they bend; may be given several times. Those inside of the region say nothing
+    /// they bend; may be given several times. Inside of the region they say which edges
+    /// are to lie on one that goes on
     #[arg(
         long,
         value_name = "A,B,...",

@@ -140,7 +140,7 @@ options! {
         /// fairing in steps.
         sharp: f64 = Self::SHARP_AUTO, real "degrees" in 0.0..=180.0, "between 0 and 180";
         /// Edges that are sharp however little they bend, as marked by hand: pairs of vertices. Where they reach the boundary from outside, creases
-        /// arrive, too, whatever `sharp` is. Those that are not outside are ignored. Default: none.
+        /// arrive, too, whatever `sharp` is; inside they say which edges are to lie on one that goes on. Default: none.
         marked_edges: Vec<[u32; 2]> = Vec::new(), indices 2;
     }
 }

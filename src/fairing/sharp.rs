@@ -59,7 +59,13 @@ impl SharpEdges {
         let mut told = Vec::new();
         let mut creases = Vec::new();
         for component in components {
-            follow(component, &ends, positions, &mut told, &mut creases);
+            follow(
+                (component, &options.marked_edges),
+                &ends,
+                positions,
+                &mut told,
+                &mut creases,
+            );
         }
         let goes_on = told.iter().filter(|edge: &&SharpEdge| !edge.vertices.is_empty());
         let ends: Vec<&CreaseEnd> = goes_on.flat_map(|edge| &edge.ends).collect();
@@ -99,7 +105,7 @@ fn least_angle(options: &Options) -> f64 {
 
 /// Decides about the ends at the boundary of one component.
 fn follow(
-    component: &Prepared,
+    (component, marked): (&Prepared, &[[u32; 2]]),
     ends: &[CreaseEnd],
     positions: &[[f64; 3]],
     told: &mut Vec<SharpEdge>,
@@ -112,7 +118,7 @@ fn follow(
     if own.is_empty() {
         return;
     }
-    let mut membrane = Membrane::new(&component.domain, positions);
+    let mut membrane = Membrane::new(&component.domain, positions, marked);
     for group in grouped(&own, positions) {
         let paths = match group.branches.is_empty() {
             true => None,

@@ -84,9 +84,55 @@ fn is_beside(shape: &Shape, v: u32) -> bool {
     around.any(|tri| tri.iter().any(|&w| shape.free[w as usize]))
 }
 
-/// What is inside of the region, or no edge of the mesh at all, says nothing, and no vertex has to exist.
+/// The shortest way from vertex to vertex over free ones that are not among these.
+fn way(shape: &Shape, [from, to]: [u32; 2], without: &[u32]) -> Vec<u32> {
+    let mut before = vec![None; shape.positions.len()];
+    let mut reached = vec![from];
+    let mut next = 0;
+    while before[to as usize].is_none() {
+        let at = reached[next];
+        next += 1;
+        let around = shape.triangles.iter().filter(|tri| tri.contains(&at)).flatten();
+        for &w in around {
+            let is_open = w == to || shape.free[w as usize] && !without.contains(&w);
+            if is_open && w != from && before[w as usize].is_none() {
+                before[w as usize] = Some(at);
+                reached.push(w);
+            }
+        }
+    }
+    let mut way = vec![to];
+    while let Some(v) = before[way[way.len() - 1] as usize] {
+        way.push(v);
+    }
+    way.reverse();
+    way
+}
+
 #[test]
-fn those_that_are_not_outside_are_ignored() {
+fn those_inside_lie_on_an_edge_that_goes_on() {
+    for seed in 1..=3 {
+        let of = Creased::Wedge(90.0);
+        let shape = piece(of, PLACES[0], EDGE, seed);
+        let faired = |marked: Vec<[u32; 2]>| {
+            let solution = solve_as_asked(&shape, &shape.noise(seed, 0.5), asked(20.0, marked));
+            assert_success(&solution.report.outcome);
+            assert_below!(worst(of, &shape, &solution), 1e-6);
+            solution.report.sharp_edges[0].vertices.clone()
+        };
+        let chosen = faired(Vec::new());
+        let ends = [chosen[0], chosen[chosen.len() - 1]];
+        let middle = chosen.len() / 3..2 * chosen.len() / 3;
+        let other = way(&shape, ends, &chosen[middle]);
+        let marked = other.windows(2).map(|step| [step[1], step[0]]);
+        assert_eq!(faired(marked.collect()), other, "{seed}");
+        assert_ne!(other, chosen);
+    }
+}
+
+/// What is inside of the region, or no edge of the mesh at all, is no end, and no vertex has to exist.
+#[test]
+fn those_that_are_not_outside_are_no_ends() {
     let shape = piece(FLAT, PLACES[0], EDGE, 1);
     let is_inside = |edge: &[u32; 2]| edge.iter().any(|&v| shape.free[v as usize]);
     let mut marked = along_crease(&shape);

@@ -31,6 +31,8 @@ pub(super) struct Membrane<'a> {
     x: Vec<Vector3<f64>>,
     /// The mean length of the boundary's edges.
     edge: f64,
+    /// The edges inside that the caller has marked, both ways, ascending.
+    marked: Vec<[u32; 2]>,
     taken: Vec<bool>,
 }
 
@@ -50,7 +52,7 @@ struct Reach {
 }
 
 impl<'a> Membrane<'a> {
-    pub(super) fn new(domain: &'a Domain, positions: &[[f64; 3]]) -> Option<Self> {
+    pub(super) fn new(domain: &'a Domain, positions: &[[f64; 3]], marked: &[[u32; 2]]) -> Option<Self> {
         let region = &domain.region;
         let mut x = region.positions(positions);
         relax(domain, &mut x, &vec![false; region.free])?;
@@ -60,6 +62,7 @@ impl<'a> Membrane<'a> {
         });
         Some(Self {
             edge: edges.sum::<f64>() / domain.rings.boundary_half_edges.len().max(1) as f64,
+            marked: inside(domain, marked),
             taken: vec![false; x.len()],
             domain,
             x,
@@ -316,7 +319,8 @@ impl<'a> Membrane<'a> {
                 }
                 let length = (self.x[w as usize] - self.x[v as usize]).norm() / self.edge;
                 let mean = 0.5 * (off[v as usize] + off[w as usize]);
-                let is_crease = on[v as usize] && on[w as usize];
+                let is_crease =
+                    on[v as usize] && on[w as usize] || self.marked.binary_search(&[v, w]).is_ok();
                 let cost = reach.cost[v as usize]
                     + if is_crease {
                         0.0
@@ -359,6 +363,24 @@ impl Reach {
         path.reverse();
         (path.len() > 1).then_some(path)
     }
+}
+
+/// The edges of a region that are among these of the mesh.
+fn inside(domain: &Domain, marked: &[[u32; 2]]) -> Vec<[u32; 2]> {
+    let both = marked.iter().flat_map(|&[a, b]| [[a, b], [b, a]]);
+    let mut marked: Vec<[u32; 2]> = both.collect();
+    marked.sort_unstable();
+    let id = |v: u32| domain.region.vertex_ids[v as usize];
+    let edges = domain.region.triangles().iter().flat_map(|&[a, b, c]| {
+        let edges = [[a, b], [b, c], [c, a]];
+        edges.into_iter().flat_map(|[a, b]| [[a, b], [b, a]])
+    });
+    let mut inside: Vec<[u32; 2]> = edges
+        .filter(|edge| marked.binary_search(&edge.map(id)).is_ok())
+        .collect();
+    inside.sort_unstable();
+    inside.dedup();
+    inside
 }
 
 /// Moves every free vertex but those that are placed to the mean of its neighbours; `None` where that is not determined.
