@@ -117,21 +117,29 @@ def read(obj):
         corner_starts=np.concatenate([[0], np.cumsum(sizes, dtype=np.int64)]),
         edge_faces=edge_faces,
         on_boundary=_on_boundary(mesh, edge_faces),
-        marked_edges=_marked_edges(mesh),
+        marked_edges=_marked_edges(mesh, editing),
         shape=_shape(obj),
         normals=custom_normals.read(mesh),
         size=_size(obj),
     )
 
 
-def _marked_edges(mesh):
-    marked = _get(mesh.edges, "use_edge_sharp", bool)
-    attributes = mesh.attributes
-    if "crease_edge" in attributes:
-        marked |= _get(attributes["crease_edge"].data, "value", np.float32) > 0
-    elif "crease" in bpy.types.MeshEdge.bl_rna.properties:  # before Blender 4.0
-        marked |= _get(mesh.edges, "crease", np.float32) > 0
+def _marked_edges(mesh, editing):
+    marked = _get(mesh.edges, "use_edge_sharp", bool) | _creased(mesh, editing)
     return _indices(mesh.edges, "vertices", 2)[marked]
+
+
+def _creased(mesh, editing):
+    if "crease" in bpy.types.MeshEdge.bl_rna.properties:  # before Blender 4.0
+        return _get(mesh.edges, "crease", np.float32) > 0
+    if "crease_edge" not in mesh.attributes:
+        return np.zeros(len(mesh.edges), bool)
+    if not editing:
+        return _get(mesh.attributes["crease_edge"].data, "value", np.float32) > 0
+    # Attributes have no data in Edit mode.
+    edges = bmesh.from_edit_mesh(mesh).edges
+    layer = edges.layers.float["crease_edge"]
+    return np.fromiter((edge[layer] > 0 for edge in edges), bool, len(edges))
 
 
 def _on_boundary(mesh, edge_faces):
