@@ -28,6 +28,7 @@ mod layout;
 mod lenses;
 mod links;
 mod local_frame;
+mod loop_creases;
 mod loop_set;
 mod loops;
 mod membrane_normals;

@@ -3,7 +3,7 @@
 use crate::fairing::*;
 use crate::regions::cube;
 use crate::tier::tier;
-use fairmesh::{Options, Selection, fair};
+use fairmesh::{Coincident, Options, Selection, fair, rim_roughness};
 
 /// A number from 0 to 1 that looks random.
 fn chance(seed: u32, of: f64) -> f64 {
@@ -29,6 +29,35 @@ fn uneven_cube(seed: u32) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
 fn off(p: &[f64; 3]) -> f64 {
     let faces = p.iter().map(|x| x.abs().min((x - 1.0).abs()));
     faces.fold(f64::MAX, f64::min)
+}
+
+/// The free vertices near a corner.
+fn ball(positions: &[[f64; 3]], seed: u32) -> Vec<bool> {
+    let centre = [
+        0.0,
+        0.1 + 0.2 * chance(seed, 0.77),
+        0.1 + 0.2 * chance(seed, 1.31),
+    ];
+    let radius = 0.1 + 0.3 * chance(seed, 2.3);
+    let far = |p: &[f64; 3]| (0..3).map(|k| (p[k] - centre[k]).powi(2)).sum::<f64>().sqrt();
+    positions.iter().map(|p| far(p) < radius).collect()
+}
+
+/// A rim that bends where sharp edges pass it is not noise, and relaxing it would crumple them.
+#[test]
+fn rims_across_sharp_edges_are_never_advised_to_be_relaxed() {
+    let mut bent = 0;
+    for seed in 1..=60 {
+        let (positions, mut triangles) = uneven_cube(seed);
+        let free = ball(&positions, seed);
+        triangles.retain(|tri| !tri.iter().any(|&v| free[v as usize]));
+        let rough = rim_roughness(&positions, &triangles, Coincident::default()).unwrap();
+        for of in rough.iter().flatten() {
+            assert_eq!(of.advice, None, "{seed}");
+            bent += usize::from(of.ratio() > 2.0);
+        }
+    }
+    assert_above!(bent, 20);
 }
 
 #[test]

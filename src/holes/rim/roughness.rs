@@ -7,10 +7,11 @@ use super::band::Band;
 use super::options::Rim;
 use super::report::EVEN;
 use super::width::{CLEAN, REACH, SAMPLES, width};
-use crate::fairing::Workers;
+use crate::fairing::{Options, Workers};
 use crate::holes::links::Links;
 use crate::holes::loop_set::normal;
 use crate::holes::loops::BoundaryLoop;
+use crate::holes::surroundings::{LAYERS_OF_CREASES, Surroundings};
 use crate::mesh::coincident::Coincident;
 use crate::mesh::{Joined, NONE};
 use crate::support::error::Error;
@@ -34,7 +35,7 @@ pub struct Roughness {
     pub expected: f64,
     /// The distance of the mesh around from that surface, root mean square.
     pub noise: f64,
-    /// What is advised for [`FillOptions::rim`](crate::FillOptions::rim), if the rim is rough.
+    /// What is advised for [`FillOptions::rim`](crate::FillOptions::rim), if the rim is rough, and not where a sharp edge is.
     pub advice: Option<Rim>,
 }
 
@@ -72,7 +73,7 @@ pub fn rim_roughness(
 ) -> Result<Vec<Option<Roughness>>, Error> {
     let joined = Joined::new(positions, triangles, coincident)?;
     let links = Links::new(positions.len(), &joined.triangles)?;
-    let room = || vec![NONE; positions.len()];
+    let room = || vec![NONE; positions.len().max(triangles.len())];
     let loops = links.loops(positions, coincident);
     // Not on the global pool, whose threads would outlive a library that is unloaded.
     Ok(Workers::new(0)?.install(|| {
@@ -115,13 +116,19 @@ fn roughness(
         advice: None,
     };
     let is_noise = width.noise > CLEAN * edge && width.evenness > EVEN;
-    if found.ratio() > ROUGH && is_noise {
+    if found.ratio() > ROUGH && is_noise && !is_creased(links, positions, of, place) {
         found.advice = Some(Rim {
             relax: RINGS,
             within: Some(edge),
         });
     }
     angle.is_finite().then_some(found)
+}
+
+/// Whether creases arrive at a loop: what bends there is no noise.
+fn is_creased(links: &Links<'_>, positions: &[[f64; 3]], of: &BoundaryLoop, place: &mut [u32]) -> bool {
+    let around = Surroundings::with_layers(links, positions, &[of], (LAYERS_OF_CREASES, place));
+    !around.creases(&Options::default()).is_empty()
 }
 
 fn between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
