@@ -10,6 +10,7 @@ mod cut;
 pub(crate) mod disjoint_sets;
 mod disk;
 mod draft;
+pub(crate) mod edge_set;
 pub(crate) mod editable;
 mod excerpt;
 pub(crate) mod graded;

@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use nalgebra::Vector3;
 
 use crate::discrete::boundary_normals::angle;
+use crate::mesh::edge_set::EdgeSet;
 use crate::mesh::halfedge::NONE;
 use crate::mesh::rows::Rows;
 
@@ -17,7 +18,7 @@ pub(super) struct Outside<'a> {
     /// The fixed vertices of triangles with a free one.
     pub(super) is_boundary: Vec<bool>,
     /// Those of the edges that are marked sharp, by [`creases`].
-    marked: Vec<[u32; 2]>,
+    marked: EdgeSet,
     marks: RefCell<Marks>,
 }
 
@@ -99,7 +100,7 @@ impl<'a> Outside<'a> {
 
     /// Whether an edge is marked sharp.
     pub(super) fn is_marked(&self, a: u32, b: u32) -> bool {
-        self.marked.binary_search(&[a.min(b), a.max(b)]).is_ok()
+        self.marked.has(a, b)
     }
 
     /// Whether an edge is marked sharp or bends by so much.
@@ -161,19 +162,15 @@ impl<'a> Outside<'a> {
 /// More edges of creases do not meet in a vertex.
 const MOST_AT_CORNER: usize = 3;
 
-/// Those of the marked edges that lead away from the boundary and are not all of a grid, as flat shading marks them; ascending, the
-/// smaller end first.
-fn creases(marked: &[[u32; 2]], is_boundary: &[bool]) -> Vec<[u32; 2]> {
-    let mut marked: Vec<[u32; 2]> = marked.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
-    marked.sort_unstable();
-    marked.dedup();
-    let mut ends: Vec<u32> = marked.iter().flatten().copied().collect();
-    ends.sort_unstable();
+/// Those of the marked edges that lead away from the boundary and are not all of a grid, as flat shading marks them.
+fn creases(marked: &[[u32; 2]], is_boundary: &[bool]) -> EdgeSet {
+    let mut creases = EdgeSet::new(marked);
+    let ends = creases.ends();
     let count = |v: u32| ends.partition_point(|&w| w <= v) - ends.partition_point(|&w| w < v);
     let is_boundary = |v: &u32| is_boundary.get(*v as usize).is_some_and(|is| *is);
     let is_of_crease = |v: &u32| is_boundary(v) || count(*v) <= MOST_AT_CORNER;
-    marked.retain(|edge| !edge.iter().all(is_boundary) && edge.iter().all(is_of_crease));
-    marked
+    creases.retain(|edge| !edge.iter().all(is_boundary) && edge.iter().all(is_of_crease));
+    creases
 }
 
 /// A part of the surroundings.

@@ -15,6 +15,7 @@ use nalgebra::Vector3;
 use super::branch::{Branch, Knot};
 use super::group::Group;
 use crate::mesh::NONE;
+use crate::mesh::edge_set::EdgeSet;
 use crate::solve::Domain;
 
 /// What an edge on the crease costs, in those that are one edge off it.
@@ -31,8 +32,8 @@ pub(super) struct Membrane<'a> {
     x: Vec<Vector3<f64>>,
     /// The mean length of the boundary's edges.
     edge: f64,
-    /// The edges inside that the caller has marked, both ways, ascending.
-    marked: Vec<[u32; 2]>,
+    /// The edges that the caller has marked, by the caller's numbers.
+    marked: EdgeSet,
     taken: Vec<bool>,
 }
 
@@ -62,7 +63,7 @@ impl<'a> Membrane<'a> {
         });
         Some(Self {
             edge: edges.sum::<f64>() / domain.rings.boundary_half_edges.len().max(1) as f64,
-            marked: inside(domain, marked),
+            marked: EdgeSet::new(marked),
             taken: vec![false; x.len()],
             domain,
             x,
@@ -303,6 +304,7 @@ impl<'a> Membrane<'a> {
             before: vec![NONE; self.x.len()],
         };
         reach.cost[from as usize] = 0.0;
+        let ids = &self.domain.region.vertex_ids;
         // The bits of numbers that are not negative are ordered as they are.
         let mut open = BinaryHeap::from([Reverse((0u64, from))]);
         while let Some(Reverse((bits, v))) = open.pop() {
@@ -320,7 +322,7 @@ impl<'a> Membrane<'a> {
                 let length = (self.x[w as usize] - self.x[v as usize]).norm() / self.edge;
                 let mean = 0.5 * (off[v as usize] + off[w as usize]);
                 let is_crease =
-                    on[v as usize] && on[w as usize] || self.marked.binary_search(&[v, w]).is_ok();
+                    on[v as usize] && on[w as usize] || self.marked.has(ids[v as usize], ids[w as usize]);
                 let cost = reach.cost[v as usize]
                     + if is_crease {
                         0.0
@@ -363,24 +365,6 @@ impl Reach {
         path.reverse();
         (path.len() > 1).then_some(path)
     }
-}
-
-/// The edges of a region that are among these of the mesh.
-fn inside(domain: &Domain, marked: &[[u32; 2]]) -> Vec<[u32; 2]> {
-    let both = marked.iter().flat_map(|&[a, b]| [[a, b], [b, a]]);
-    let mut marked: Vec<[u32; 2]> = both.collect();
-    marked.sort_unstable();
-    let id = |v: u32| domain.region.vertex_ids[v as usize];
-    let edges = domain.region.triangles().iter().flat_map(|&[a, b, c]| {
-        let edges = [[a, b], [b, c], [c, a]];
-        edges.into_iter().flat_map(|[a, b]| [[a, b], [b, a]])
-    });
-    let mut inside: Vec<[u32; 2]> = edges
-        .filter(|edge| marked.binary_search(&edge.map(id)).is_ok())
-        .collect();
-    inside.sort_unstable();
-    inside.dedup();
-    inside
 }
 
 /// Moves every free vertex but those that are placed to the mean of its neighbours; `None` where that is not determined.
