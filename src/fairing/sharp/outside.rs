@@ -159,7 +159,7 @@ impl<'a> Outside<'a> {
     }
 }
 
-/// More edges of creases do not meet in a vertex.
+/// More edges of creases do not meet in a vertex. Half: a crease passes no vertex; without: a sphere all of whose edges are marked has dozens of ends.
 const MOST_AT_CORNER: usize = 3;
 
 /// Those of the marked edges that lead away from the boundary and are not all of a grid, as flat shading marks them.
