@@ -51,7 +51,8 @@ impl Roughness {
 /// ```
 /// use fairmesh::{Coincident, rim_roughness};
 /// // A sheet of 12 by 12 squares with a bumpy hole in the middle.
-/// let at = |i: u32, j: u32| [f64::from(i), f64::from(j), 0.2 * f64::from((7 * i + 5 * j) % 3)];
+/// let height = |i: u32, j: u32| 0.1 * f64::from((7 * i * i + 5 * j * j * j + i * j) % 5);
+/// let at = |i: u32, j: u32| [f64::from(i), f64::from(j), height(i, j)];
 /// let positions: Vec<[f64; 3]> = (0..13 * 13).map(|v| at(v / 13, v % 13)).collect();
 /// let squares = (0..12 * 12).map(|s| (s / 12, s % 12));
 /// let triangles: Vec<[u32; 3]> = squares
