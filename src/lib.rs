@@ -17,6 +17,7 @@
 #[path = "../tests/common/asserts.rs"]
 mod asserts;
 
+mod blends;
 mod discrete;
 mod fairing;
 mod holes;
@@ -29,6 +30,7 @@ mod regions;
 mod solve;
 mod support;
 
+pub use blends::{Creases, RoundOptions, Rounded, round};
 pub use fairing::{
     Attempt, AttemptEnd, BoundaryCurvature, BoundaryNormals, Budget, Coincident, ComponentReport, CreaseEnd,
     CurvatureContinuity, Discretization, Edit, Frame, InnerFairness, InteriorNormals, Intersections,

@@ -11,16 +11,16 @@ pub(super) const BOUNDARY: u32 = u32::MAX;
 const NON_MANIFOLD: u32 = u32::MAX - 1;
 
 /// Which half-edges lie side by side, and the triangles at each vertex.
-pub(super) struct Links<'a> {
-    pub(super) triangles: &'a [[u32; 3]],
+pub(crate) struct Links<'a> {
+    pub(crate) triangles: &'a [[u32; 3]],
     /// The half-edge across, [`BOUNDARY`], or more than one.
-    pub(super) opposite: Vec<u32>,
+    pub(crate) opposite: Vec<u32>,
     /// The half-edges that start at each vertex, ascending.
-    pub(super) outgoing: Rows<u32>,
+    pub(crate) outgoing: Rows<u32>,
 }
 
 impl<'a> Links<'a> {
-    pub(super) fn new(vertices: usize, triangles: &'a [[u32; 3]]) -> Result<Self, Error> {
+    pub(crate) fn new(vertices: usize, triangles: &'a [[u32; 3]]) -> Result<Self, Error> {
         input::check(vertices, triangles)?;
         let corners = (0..).zip(triangles.iter().flatten());
         let mut links = Self {
@@ -74,14 +74,55 @@ impl<'a> Links<'a> {
     }
 
     #[inline]
-    pub(super) fn origin(&self, h: u32) -> u32 {
+    pub(crate) fn origin(&self, h: u32) -> u32 {
         self.triangles[h as usize / 3][h as usize % 3]
     }
 
     /// The half-edge across an edge with two consistent triangles.
     #[inline]
-    pub(super) fn across(&self, h: u32) -> Option<u32> {
+    pub(crate) fn across(&self, h: u32) -> Option<u32> {
         Some(self.opposite[h as usize]).filter(|&o| o < NON_MANIFOLD)
+    }
+
+    /// That every edge has one triangle, or two that run through it in opposite directions.
+    ///
+    /// # Errors
+    /// For the first half-edge that is not so: [`Error::RepeatedIndex`], [`Error::InconsistentOrientation`], [`Error::NonManifoldEdge`].
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        let is_bad = |h: &u32| self.opposite[*h as usize] == NON_MANIFOLD;
+        let Some(h) = (0..self.opposite.len() as u32).find(is_bad) else {
+            return Ok(());
+        };
+        let triangle = self.triangles[h as usize / 3];
+        if repeats(&triangle) {
+            let vertex = if triangle[1] == triangle[2] {
+                triangle[1]
+            } else {
+                triangle[0]
+            };
+            return Err(Error::RepeatedIndex {
+                triangle: h as usize / 3,
+                vertex: vertex as usize,
+            });
+        }
+        let (u, v) = (self.origin(h), self.origin(next(h)));
+        let (a, b) = (u.min(v) as usize, u.max(v) as usize);
+        let along = |from: u32, to: u32| {
+            let is_along = move |g: &&u32| self.origin(next(**g)) == to;
+            self.at(from).iter().filter(is_along).map(|g| *g as usize / 3)
+        };
+        let mut beside: Vec<usize> = along(u, v).chain(along(v, u)).collect();
+        beside.sort_unstable();
+        let triangle = beside[beside.len() - 1];
+        Err(match self.is_inconsistent(u, v) {
+            true => Error::InconsistentOrientation {
+                a,
+                b,
+                triangle,
+                other: beside[0],
+            },
+            false => Error::NonManifoldEdge { a, b, triangle },
+        })
     }
 
     /// Whether a bad edge has two triangles, which run through it in the same direction.

@@ -68,7 +68,7 @@ fn walk(coarse: &Patch, start: u32, p: &Vector3<f64>) -> (u32, [f64; 3]) {
 
 /// Turns parents that are new vertices themselves into theirs: those from `first` on, of vertices behind the mesh's `old` ones, name only
 /// what comes before them. Of more than three the heaviest are taken.
-pub(super) fn compose(parents: &mut [Parents], old: usize, first: usize) {
+pub(crate) fn compose(parents: &mut [Parents], old: usize, first: usize) {
     for i in first..parents.len() {
         let mut sums: Vec<(u32, f64)> = Vec::new();
         let mut add = |v: u32, w: f64| match sums.iter_mut().find(|sum| sum.0 == v) {

@@ -100,7 +100,28 @@ pub fn remesh_region(
     selection: Selection<'_>,
     options: &RemeshOptions,
 ) -> Result<Remeshed, Error> {
-    remesh(positions, triangles, selection, options, &mut |_| ())
+    remesh(positions, triangles, selection, options, None, &mut |_| ())
+}
+
+/// [`remesh_region`] with the edge lengths wanted at the boundary in place of those of the surroundings.
+///
+/// # Errors
+/// Those of [`remesh_region`].
+pub(crate) fn remesh_to_lengths(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    selection: Selection<'_>,
+    options: &RemeshOptions,
+    length: &dyn Fn(u32) -> f64,
+) -> Result<Remeshed, Error> {
+    remesh(
+        positions,
+        triangles,
+        selection,
+        options,
+        Some(length),
+        &mut |_| (),
+    )
 }
 
 /// [`remesh_region`], which calls `progress` on the calling thread, as [`fair_with_progress`](crate::fair_with_progress) does. `Break`
@@ -116,7 +137,7 @@ pub fn remesh_region_with_progress(
     progress: &mut ProgressCallback<'_>,
 ) -> Result<Option<Remeshed>, Error> {
     on_workers_unless_stopped(1, progress, "remeshing", |tell| {
-        remesh(positions, triangles, selection, options, tell)
+        remesh(positions, triangles, selection, options, None, tell)
     })
 }
 
@@ -125,6 +146,7 @@ fn remesh(
     triangles: &[[u32; 3]],
     selection: Selection<'_>,
     options: &RemeshOptions,
+    length: Option<&dyn Fn(u32) -> f64>,
     tell: &mut dyn FnMut(f64),
 ) -> Result<Remeshed, Error> {
     options.validate()?;
@@ -132,7 +154,7 @@ fn remesh(
     let selected = joined.copies.selection(selection);
     let region = RegionMesh::new(positions, &joined.triangles, selected.selection())?;
     let ids = ids(&region);
-    let coarse = patch(&region, positions, &ids);
+    let coarse = patch(&region, positions, &ids, length);
     let taken = taken(&region);
     let fineness = Fineness {
         factor: std::f64::consts::SQRT_2 / options.density,
@@ -166,8 +188,13 @@ fn ids(region: &RegionMesh) -> Vec<u32> {
     boundary.iter().chain(free).copied().collect()
 }
 
-/// The region as a patch, with the sizes outside.
-fn patch(region: &RegionMesh, positions: &[[f64; 3]], ids: &[u32]) -> Patch {
+/// The region as a patch, with the sizes outside, or those asked.
+fn patch(
+    region: &RegionMesh,
+    positions: &[[f64; 3]],
+    ids: &[u32],
+    length: Option<&dyn Fn(u32) -> f64>,
+) -> Patch {
     let (free, boundary) = (region.free as u32, region.boundary as u32);
     let number = |v: u32| if v < free { v + boundary } else { v - free };
     let x: Vec<_> = ids.iter().map(|&v| positions[v as usize].into()).collect();
@@ -193,7 +220,7 @@ fn patch(region: &RegionMesh, positions: &[[f64; 3]], ids: &[u32]) -> Patch {
     let mut mean = 0.0;
     for (v, [outside, inside]) in sums.into_iter().enumerate() {
         let (sum, count) = if outside.1 > 0.0 { outside } else { inside };
-        patch.size[v] = sum / count.max(1.0);
+        patch.size[v] = length.map_or(sum / count.max(1.0), |of| of(ids[v]));
         mean += patch.size[v] / f64::from(boundary);
     }
     patch.size[boundary as usize..].fill(mean);

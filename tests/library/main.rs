@@ -39,6 +39,7 @@ mod progress;
 mod refill;
 mod regions;
 mod rim;
+mod round;
 mod search;
 mod sharp;
 mod solver;

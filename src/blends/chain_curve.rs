@@ -1,0 +1,204 @@
+//! A chain of creases as a smooth curve, whatever its edges are.
+
+use nalgebra::{Matrix3, Vector3};
+
+/// Points of the curve at equal distances along the chain.
+pub(super) struct ChainCurve {
+    pub(super) points: Vec<Vector3<f64>>,
+    /// Between points along the chain.
+    pub(super) spacing: f64,
+    pub(super) is_closed: bool,
+    /// Per point how far the surface bends there, radians.
+    pub(super) bends: Vec<f64>,
+}
+
+/// Points per width of the band.
+const PER_WIDTH: f64 = 8.0;
+/// Points to each side of one that it is fitted to: half a width.
+const WINDOW: usize = 4;
+/// Points to each side among which the nearest is looked for.
+const NEAR: i64 = 6;
+
+/// Where on a curve a point is nearest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Nearest {
+    /// In points from the first.
+    pub(super) at: f64,
+    pub(super) distance: f64,
+}
+
+impl ChainCurve {
+    /// Of the vertices of a chain, in their order, and the bends of its edges. The first vertex is not repeated at the end of a closed one.
+    pub(super) fn new(vertices: &[Vector3<f64>], bends: &[f64], is_closed: bool, width: f64) -> Self {
+        let (points, places, spacing) = even(vertices, is_closed, width / PER_WIDTH);
+        let mut curve = Self {
+            bends: places.iter().map(|&k| bends[k]).collect(),
+            points,
+            spacing,
+            is_closed,
+        };
+        curve.bends = curve.averaged(&curve.bends);
+        let last = curve.points.len() - 1;
+        let is_end = |i: usize| !is_closed && (i == 0 || i == last);
+        let smooth = |i: usize| {
+            if is_end(i) {
+                curve.points[i]
+            } else {
+                curve.fitted(i)
+            }
+        };
+        curve.points = (0..=last).map(smooth).collect();
+        curve
+    }
+
+    /// The quadratic curve through the points around one, there.
+    fn fitted(&self, i: usize) -> Vector3<f64> {
+        let count = self.points.len();
+        let most = if self.is_closed {
+            (count - 1) / 2
+        } else {
+            i.min(count - 1 - i)
+        };
+        let window = WINDOW.min(most) as i64;
+        if window < 2 {
+            return self.points[i];
+        }
+        let (mut matrix, mut sums) = (Matrix3::zeros(), Matrix3::zeros());
+        for k in -window..=window {
+            let t = k as f64 / window as f64;
+            let row = Vector3::new(1.0, t, t * t);
+            matrix += row * row.transpose();
+            sums += row * self.point(i as i64 + k).transpose();
+        }
+        let solved = matrix.cholesky().map(|factor| factor.solve(&sums));
+        solved.map_or(self.points[i], |rows| rows.row(0).transpose())
+    }
+
+    /// The mean of a function over the points around each.
+    fn averaged(&self, values: &[f64]) -> Vec<f64> {
+        let window = -(WINDOW as i64)..=WINDOW as i64;
+        let mean = |i: i64| {
+            window.clone().map(|k| values[self.number(i + k)]).sum::<f64>() / (2 * WINDOW + 1) as f64
+        };
+        (0..values.len() as i64).map(mean).collect()
+    }
+
+    fn point(&self, i: i64) -> Vector3<f64> {
+        self.points[self.number(i)]
+    }
+
+    fn number(&self, i: i64) -> usize {
+        let count = self.points.len() as i64;
+        let i = if self.is_closed {
+            i.rem_euclid(count)
+        } else {
+            i.clamp(0, count - 1)
+        };
+        i as usize
+    }
+
+    /// The nearest place, from a place that is near on.
+    pub(super) fn nearest(&self, p: &Vector3<f64>, near: f64) -> Nearest {
+        let start = libm::floor(near) as i64;
+        let mut best = Nearest {
+            at: near,
+            distance: f64::INFINITY,
+        };
+        let (mut low, mut high) = (start - NEAR, start + NEAR);
+        let mut seen = low..low;
+        loop {
+            for i in (low..=high).filter(|i| !seen.contains(i)) {
+                if !self.is_closed && !(0..self.points.len() as i64 - 1).contains(&i) {
+                    continue;
+                }
+                let found = self.on_segment(p, i);
+                if found.distance < best.distance {
+                    best = found;
+                }
+            }
+            seen = low..high + 1;
+            let found = libm::floor(best.at) as i64;
+            let is_inside = found > low && found < high;
+            if is_inside || seen.clone().count() > 2 * self.points.len() {
+                break;
+            }
+            (low, high) = (low.min(found - NEAR), high.max(found + NEAR));
+            if seen == (low..high + 1) {
+                break;
+            }
+        }
+        if self.is_closed {
+            let count = self.points.len() as f64;
+            best.at -= count * libm::floor(best.at / count);
+        }
+        best
+    }
+
+    fn on_segment(&self, p: &Vector3<f64>, i: i64) -> Nearest {
+        let (a, b) = (self.point(i), self.point(i + 1));
+        let e = b - a;
+        let t = (e.dot(&(p - a)) / e.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+        Nearest {
+            at: i as f64 + t,
+            distance: (a + e * t - p).norm(),
+        }
+    }
+
+    /// A function of the points between them.
+    pub(super) fn between(&self, values: &[f64], at: f64) -> f64 {
+        let i = libm::floor(at) as i64;
+        let t = at - i as f64;
+        values[self.number(i)] * (1.0 - t) + values[self.number(i + 1)] * t
+    }
+
+    /// How far a point is along the chain from its nearer end, which counts as such.
+    pub(super) fn along(&self, i: usize, ends: [bool; 2]) -> f64 {
+        let to = [i, self.points.len() - 1 - i];
+        let of = |k: usize| {
+            if ends[k] {
+                to[k] as f64 * self.spacing
+            } else {
+                f64::INFINITY
+            }
+        };
+        of(0).min(of(1))
+    }
+}
+
+/// Points on a line of vertices at equal distances of about `step`, the edges that they are on, and that distance.
+fn even(vertices: &[Vector3<f64>], is_closed: bool, step: f64) -> (Vec<Vector3<f64>>, Vec<usize>, f64) {
+    let mut line = vertices.to_vec();
+    if is_closed {
+        line.extend(vertices.first());
+    }
+    let mut along = vec![0.0];
+    for pair in line.windows(2) {
+        along.push(along[along.len() - 1] + (pair[1] - pair[0]).norm());
+    }
+    let length = along[along.len() - 1];
+    let parts = libm::ceil(length / step).clamp(if is_closed { 8.0 } else { 2.0 }, MOST as f64) as usize;
+    let spacing = length / parts as f64;
+    let (mut points, mut places) = (Vec::with_capacity(parts + 1), Vec::with_capacity(parts + 1));
+    let mut k = 0;
+    for i in 0..parts + usize::from(!is_closed) {
+        let s = spacing * i as f64;
+        while k + 2 < along.len() && along[k + 1] < s {
+            k += 1;
+        }
+        let part = along[k + 1] - along[k];
+        let t = if part > 0.0 {
+            ((s - along[k]) / part).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        places.push(k);
+        points.push(line[k] + (line[k + 1] - line[k]) * t);
+    }
+    if !is_closed {
+        points[parts] = line[line.len() - 1];
+    }
+    (points, places, spacing)
+}
+
+/// No chain has more points.
+const MOST: usize = 1_000_000;

@@ -1,0 +1,63 @@
+//! Corners of faces, where two creases meet: rails go around them smoothly.
+
+use super::crease_graph::CreaseGraph;
+use super::level::Corner;
+use super::surface::Surface;
+use crate::mesh::NONE;
+use crate::mesh::halfedge::previous;
+
+/// How far from the crossing of two rails at a right angle they leave their lines, in widths.
+const RADIUS: f64 = 0.5;
+/// Below this radius, of the width, a corner is none.
+const LEAST: f64 = 0.1;
+
+/// The corners of all faces at which bands of this width meet. A rail leaves the lines that it has along the creases where they would come as near each
+/// other as this: the more pointed the corner, the earlier.
+pub(super) fn corners(surface: &Surface<'_>, graph: &CreaseGraph, width: f64) -> Vec<Corner> {
+    let side = sides(surface, graph);
+    let mut corners = Vec::new();
+    let all = 0..surface.half_edges();
+    for h in all.filter(|&h| side[h as usize] != NONE) {
+        let Some((other, angle)) = next_crease(surface, &side, h) else {
+            continue;
+        };
+        let [a, b] = [side[h as usize], side[other as usize]];
+        let radius = RADIUS * width * 2.0_f64.sqrt() * libm::cos(0.5 * angle.min(std::f64::consts::PI));
+        if a != b && radius > LEAST * width {
+            corners.push(Corner {
+                sides: [a.min(b), a.max(b)],
+                radius,
+            });
+        }
+    }
+    corners.sort_by_key(|corner| corner.sides);
+    corners.dedup_by_key(|corner| corner.sides);
+    corners
+}
+
+/// Per half-edge along a crease that is rounded the side of a chain that it belongs to.
+fn sides(surface: &Surface<'_>, graph: &CreaseGraph) -> Vec<u32> {
+    let mut side = vec![NONE; surface.half_edges() as usize];
+    let all = (0..).zip(&graph.chains);
+    for (number, chain) in all.filter(|(_, chain)| chain.is_chosen) {
+        for &h in &chain.half_edges {
+            side[h as usize] = 2 * number;
+            let across = surface.across(h).into_iter();
+            across.for_each(|o| side[o as usize] = 2 * number + 1);
+        }
+    }
+    side
+}
+
+/// From a crease over the face on its left to the next one that arrives at its first vertex, and the angle between them.
+fn next_crease(surface: &Surface<'_>, side: &[u32], h: u32) -> Option<(u32, f64)> {
+    let (mut g, mut angle) = (h, 0.0);
+    loop {
+        angle += surface.angle(g);
+        let arrives = previous(g);
+        if side[arrives as usize] != NONE {
+            return Some((arrives, angle));
+        }
+        g = surface.across(arrives).filter(|&g| g != h)?;
+    }
+}

@@ -1,0 +1,196 @@
+//! The creases of a mesh as a graph: chains of edges between corners and ends.
+
+use nalgebra::Vector3;
+
+use super::options::RoundOptions;
+use super::surface::{Surface, between};
+use crate::mesh::disjoint_sets::DisjointSets;
+use crate::mesh::edge_set::EdgeSet;
+use crate::mesh::halfedge::previous;
+use crate::mesh::rows::Rows;
+
+/// A chain turns by less than this (the cosine) from edge to edge; where it turns more is a corner.
+const TURN: f64 = 0.7;
+
+/// What bends, and how the mesh falls into faces between.
+pub(super) struct CreaseGraph {
+    /// Per triangle the face it belongs to.
+    pub(super) faces: Vec<u32>,
+    pub(super) chains: Vec<Chain>,
+    /// Unit normals of triangles, of those without area that of a neighbour.
+    pub(super) normals: Vec<Vector3<f64>>,
+}
+
+/// Edges one after the other.
+pub(super) struct Chain {
+    /// From vertex to vertex; the face on the left is the triangle's.
+    pub(super) half_edges: Vec<u32>,
+    /// Whether the last one ends where the first begins, and no corner is there.
+    pub(super) is_closed: bool,
+    /// Whether it is to be rounded.
+    pub(super) is_chosen: bool,
+}
+
+/// Heights below this, of the longest edge, are of rounding to single precision.
+const THIN: f64 = 1e-6;
+/// Thin triangles beside each other that are looked behind.
+const STEPS: usize = 8;
+
+/// Unit normals. A triangle that is as thin as rounding has that of the one across its longest edge.
+fn normals(surface: &Surface<'_>) -> Vec<Vector3<f64>> {
+    let count = surface.half_edges() / 3;
+    let cross = |t: u32| surface.edge(3 * t).cross(&surface.edge(3 * t + 1));
+    let crosses: Vec<Vector3<f64>> = (0..count).map(cross).collect();
+    let length = |h: &u32| surface.edge(*h).norm_squared();
+    let longest = |t: u32| {
+        let order = |g: &u32, h: &u32| length(g).total_cmp(&length(h));
+        (3 * t..3 * t + 3).max_by(order).unwrap_or(3 * t)
+    };
+    let is_thin = |t: u32| crosses[t as usize].norm() <= THIN * length(&longest(t));
+    let of = |t: u32| {
+        let mut at = t;
+        for _ in 0..STEPS {
+            match surface.across(longest(at)) {
+                Some(across) if is_thin(at) => at = across / 3,
+                _ => break,
+            }
+        }
+        crosses[at as usize].try_normalize(0.0).unwrap_or_default()
+    };
+    (0..count).map(of).collect()
+}
+
+impl CreaseGraph {
+    pub(super) fn new(surface: &Surface<'_>, options: &RoundOptions) -> Self {
+        let normals = normals(surface);
+        let bends = bends(surface, &normals);
+        let least = if options.angle > 0.0 {
+            options.angle
+        } else {
+            gap(&bends)
+        };
+        let edges = EdgeSet::new(&options.edges);
+        let is_named = |h: u32| edges.has(surface.origin(h), surface.target(h));
+        let is_crease =
+            |h: u32| bends[h as usize].abs() > least || surface.across(h).is_some() && is_named(h);
+        let is_chosen =
+            |h: u32| options.creases.has(bends[h as usize]) && (options.edges.is_empty() || is_named(h));
+        let mut sets = DisjointSets::new(normals.len());
+        for h in 0..surface.half_edges() {
+            if let Some(o) = surface.across(h)
+                && h < o
+                && !is_crease(h)
+            {
+                sets.unite(h / 3, o / 3);
+            }
+        }
+        let faces = sets.numbers(normals.len()).0;
+        let chains = chains(surface, &bends, is_crease, is_chosen);
+        Self {
+            faces,
+            chains,
+            normals,
+        }
+    }
+}
+
+impl CreaseGraph {
+    /// How far the surface bends at an edge, radians.
+    pub(super) fn bend(&self, surface: &Surface<'_>, h: u32) -> f64 {
+        let other = surface.across(h).unwrap_or(h);
+        between(&self.normals[h as usize / 3], &self.normals[other as usize / 3])
+    }
+}
+
+/// Per half-edge how far the surface bends there, degrees; positive where it is convex.
+fn bends(surface: &Surface<'_>, normals: &[Vector3<f64>]) -> Vec<f64> {
+    let bend = |h: u32| {
+        let Some(o) = surface.across(h) else {
+            return 0.0;
+        };
+        let [m, n] = [h, o].map(|g| normals[g as usize / 3]);
+        let angle = between(&m, &n).to_degrees();
+        let away = surface.x[surface.origin(previous(o)) as usize] - surface.x[surface.origin(h) as usize];
+        if m.dot(&away) <= 0.0 { angle } else { -angle }
+    };
+    (0..surface.half_edges()).map(bend).collect()
+}
+
+/// Bends that are as good as none, and those at which a gap is looked for, degrees.
+const SMOOTH: f64 = 10.0;
+const GAP: [f64; 2] = [15.0, 60.0];
+
+/// The angle in the middle of the widest gap between bends of the mesh: above are creases, below is what approximates something round.
+fn gap(bends: &[f64]) -> f64 {
+    let mut all: Vec<f64> = bends.iter().map(|b| b.abs()).filter(|b| *b > SMOOTH).collect();
+    all.push(SMOOTH);
+    all.push(180.0);
+    all.sort_by(f64::total_cmp);
+    let pairs = all
+        .windows(2)
+        .map(|pair| (pair[1] / pair[0], (pair[0] * pair[1]).sqrt()));
+    let within = pairs.filter(|(_, middle)| (GAP[0]..=GAP[1]).contains(middle));
+    let widest = within.max_by(|a, b| a.0.total_cmp(&b.0));
+    widest.map_or(GAP[1], |(_, middle)| middle)
+}
+
+/// Creases from corner to corner.
+fn chains(
+    surface: &Surface<'_>,
+    bends: &[f64],
+    is_crease: impl Fn(u32) -> bool,
+    is_chosen: impl Fn(u32) -> bool,
+) -> Vec<Chain> {
+    let all = 0..surface.half_edges();
+    let creases = all.filter(|&h| is_crease(h));
+    let from = Rows::collect(surface.x.len(), creases.clone().map(|h| (surface.origin(h), h)));
+    let goes_on = |h: u32| {
+        let [a, b] = *from.row(surface.target(h) as usize) else {
+            return None;
+        };
+        let on = if surface.across(a) == Some(h) { b } else { a };
+        let [e, f] = [h, on].map(|g| surface.edge(g));
+        let is_like = bends[h as usize] * bends[on as usize] >= 0.0 && is_chosen(h) == is_chosen(on);
+        (is_like && e.dot(&f) > TURN * (e.norm() * f.norm())).then_some(on)
+    };
+    let mut is_used = vec![false; surface.half_edges() as usize];
+    let mut chains = Vec::new();
+    let mut walk = |first: u32, is_used: &mut Vec<bool>| {
+        let mut half_edges = vec![first];
+        let mut is_closed = false;
+        let mut h = first;
+        while let Some(on) = goes_on(h) {
+            is_closed = on == first;
+            if is_closed {
+                break;
+            }
+            half_edges.push(on);
+            h = on;
+        }
+        for &h in &half_edges {
+            is_used[h as usize] = true;
+            surface
+                .across(h)
+                .into_iter()
+                .for_each(|o| is_used[o as usize] = true);
+        }
+        chains.push(Chain {
+            is_chosen: is_chosen(first),
+            half_edges,
+            is_closed,
+        });
+    };
+    // Open ones first: they begin where nothing comes before.
+    for h in creases.clone() {
+        let begins = surface.across(h).is_some_and(|back| goes_on(back).is_none());
+        if !is_used[h as usize] && begins {
+            walk(h, &mut is_used);
+        }
+    }
+    for h in creases {
+        if !is_used[h as usize] {
+            walk(h, &mut is_used);
+        }
+    }
+    chains
+}

@@ -1,0 +1,228 @@
+//! Rails cut through the triangles: what stays lies where it was.
+
+use super::level::{Entry, Level};
+use super::sheet::Sheet;
+use crate::mesh::NONE;
+
+/// Steps to where an edge crosses the rail.
+const STEPS: usize = 4;
+/// Vertices are on the rail if they are so near it, of the length wanted there.
+const ON: f64 = 1e-3;
+/// Distances that differ by less, relative, are the same.
+const SAME: f64 = 1e-9;
+
+/// A sheet being cut.
+pub(super) struct Cut<'a> {
+    pub(super) sheet: Sheet,
+    pub(super) level: &'a Level,
+    /// The face of each triangle given.
+    faces: &'a [u32],
+    /// Per vertex the sides near it.
+    pub(super) near: Vec<Vec<Entry>>,
+    /// Per vertex how far outside the band it is.
+    pub(super) value: Vec<f64>,
+    waiting: Vec<u32>,
+    is_waiting: Vec<bool>,
+}
+
+impl<'a> Cut<'a> {
+    pub(super) fn new(sheet: Sheet, level: &'a Level, faces: &'a [u32]) -> Self {
+        Self {
+            near: vec![Vec::new(); sheet.x.len()],
+            value: vec![f64::INFINITY; sheet.x.len()],
+            waiting: Vec::new(),
+            is_waiting: vec![false; sheet.triangles.len()],
+            sheet,
+            level,
+            faces,
+        }
+    }
+
+    /// The half-edge's first vertex lies on the side's curve, there.
+    pub(super) fn seed(&mut self, h: u32, side: u32, at: f64) {
+        let v = self.sheet.origin(h);
+        self.tell(v, h, side, at);
+    }
+
+    /// Spreads distances from the curves over the faces; triangles that a rail may pass are split until they are as fine as it.
+    pub(super) fn spread(&mut self) {
+        while let Some(t) = self.waiting.pop() {
+            self.is_waiting[t as usize] = false;
+            self.visit(t);
+        }
+    }
+
+    fn face(&self, t: u32) -> u32 {
+        self.faces[self.sheet.source[t as usize] as usize]
+    }
+
+    fn visit(&mut self, t: u32) {
+        let face = self.face(t);
+        let longest = self.sheet.longest(t);
+        let length = self.sheet.squared_length(longest).sqrt();
+        for k in 0..3 {
+            let v = self.sheet.origin(3 * t + k);
+            for i in 0..self.near[v as usize].len() {
+                let entry = self.near[v as usize][i];
+                let side = &self.level.sides[entry.side as usize];
+                if side.face != face || entry.distance > 2.0 * side.widest + length {
+                    continue;
+                }
+                for h in [3 * t + (k + 1) % 3, 3 * t + (k + 2) % 3] {
+                    self.tell(self.sheet.origin(h), h, entry.side, entry.at);
+                }
+            }
+        }
+        if self.is_too_long(t, length) {
+            self.bisect(t);
+        }
+    }
+
+    /// Vertex `v`, which `h` starts at, is told of a side; whoever is around it then is, too.
+    fn tell(&mut self, v: u32, h: u32, side: u32, at: f64) {
+        let known = self.near[v as usize].iter().position(|e| e.side == side);
+        if known.is_some_and(|i| (self.near[v as usize][i].at - at).abs() < 1.0) {
+            return;
+        }
+        let entry = self.level.entry(side, &self.sheet.x[v as usize], at);
+        match known {
+            Some(i) if self.near[v as usize][i].distance <= entry.distance * (1.0 + SAME) => return,
+            Some(i) => self.near[v as usize][i] = entry,
+            None => self.near[v as usize].push(entry),
+        }
+        self.value[v as usize] = self.level.value(&self.near[v as usize]);
+        let Self {
+            sheet,
+            waiting,
+            is_waiting,
+            ..
+        } = self;
+        sheet.fan(h, |g| {
+            if !std::mem::replace(&mut is_waiting[g as usize / 3], true) {
+                waiting.push(g / 3);
+            }
+        });
+    }
+
+    /// Whether a rail may pass a triangle, which is longer than the rail's edges are to be.
+    fn is_too_long(&self, t: u32, length: f64) -> bool {
+        let corners = self.sheet.triangles[t as usize];
+        let nearest = corners.iter().map(|&v| self.value[v as usize].abs());
+        let wanted = corners.iter().filter_map(|&v| self.wanted(v));
+        let (nearest, wanted) = (
+            nearest.fold(f64::INFINITY, f64::min),
+            wanted.fold(f64::INFINITY, f64::min),
+        );
+        length > wanted && nearest < length
+    }
+
+    /// The edge length that is wanted at a vertex near a rail.
+    pub(super) fn wanted(&self, v: u32) -> Option<f64> {
+        let nearest = self.level.nearest(&self.near[v as usize])?;
+        Some(self.level.edge_length(nearest))
+    }
+
+    /// Halves the longest edge of a triangle, after those that are longer beside it.
+    fn bisect(&mut self, t: u32) {
+        let h = self.sheet.longest(t);
+        let mut longest = h;
+        loop {
+            let o = self.sheet.across(longest);
+            if o == NONE {
+                break;
+            }
+            let other = self.sheet.longest(o / 3);
+            if other == o {
+                break;
+            }
+            longest = other;
+        }
+        self.split(longest, 0.5);
+        self.wait(t);
+    }
+
+    fn wait(&mut self, t: u32) {
+        if !std::mem::replace(&mut self.is_waiting[t as usize], true) {
+            self.waiting.push(t);
+        }
+    }
+
+    /// Splits an edge; the new vertex knows the sides that its ends know.
+    fn split(&mut self, h: u32, t: f64) -> u32 {
+        let o = self.sheet.across(h);
+        let known = self.known(h);
+        let mut near = Vec::new();
+        let triangles = self.sheet.triangles.len() as u32;
+        let m = self.sheet.split(h, t);
+        let value = self.level.value_at(&self.sheet.x[m as usize], &known, &mut near);
+        self.near.push(near);
+        self.value.push(value);
+        self.is_waiting.resize(self.sheet.triangles.len(), false);
+        for t in triangles..self.sheet.triangles.len() as u32 {
+            self.wait(t);
+        }
+        self.wait(h / 3);
+        if o != NONE {
+            self.wait(o / 3);
+        }
+        m
+    }
+
+    /// The sides that the ends of an edge know, of the faces beside it.
+    fn known(&self, h: u32) -> Vec<Entry> {
+        let o = self.sheet.across(h);
+        let faces = [Some(self.face(h / 3)), (o != NONE).then(|| self.face(o / 3))];
+        let ends = [self.sheet.origin(h), self.sheet.target(h)];
+        let known = ends.iter().flat_map(|&v| &self.near[v as usize]);
+        let is_here = |e: &&Entry| faces.contains(&Some(self.level.sides[e.side as usize].face));
+        known.filter(is_here).copied().collect()
+    }
+
+    /// Splits all edges that cross a rail where they do. Afterwards no triangle has vertices on both sides.
+    pub(super) fn cut(&mut self) {
+        for v in 0..self.value.len() {
+            if self
+                .wanted(v as u32)
+                .is_some_and(|wanted| self.value[v].abs() <= ON * wanted)
+            {
+                self.value[v] = 0.0;
+            }
+        }
+        let mut t = 0;
+        while t < self.sheet.triangles.len() as u32 {
+            let crosses = |h: &u32| {
+                let [a, b] = [self.sheet.origin(*h), self.sheet.target(*h)].map(|v| self.value[v as usize]);
+                a * b < 0.0
+            };
+            match (3 * t..3 * t + 3).find(crosses) {
+                Some(h) => self.cross(h),
+                None => t += 1,
+            }
+        }
+        self.waiting.clear();
+    }
+
+    /// Splits an edge where it crosses a rail.
+    fn cross(&mut self, h: u32) {
+        let [a, b] = [self.sheet.origin(h), self.sheet.target(h)];
+        let [mut low, mut high] = [(0.0, self.value[a as usize]), (1.0, self.value[b as usize])];
+        let (p, q) = (self.sheet.x[a as usize], self.sheet.x[b as usize]);
+        let near = self.known(h);
+        let mut entries = Vec::new();
+        let crossing = |low: (f64, f64), high: (f64, f64)| match (low.1.is_finite(), high.1.is_finite()) {
+            (true, true) => low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1),
+            _ => 0.5 * (low.0 + high.0),
+        };
+        for _ in 0..STEPS {
+            let t = crossing(low, high);
+            let value = self.level.value_at(&(p + (q - p) * t), &near, &mut entries);
+            if value * low.1 > 0.0 {
+                low = (t, value);
+            } else {
+                high = (t, value);
+            }
+        }
+        let m = self.split(h, crossing(low, high));
+        self.value[m as usize] = 0.0;
+    }
+}

@@ -1,0 +1,58 @@
+//! Normals of faces, as smooth as the surfaces that their triangles approximate.
+
+use nalgebra::Vector3;
+
+use super::crease_graph::CreaseGraph;
+use super::surface::{Surface, between};
+use crate::holes::Parents;
+
+/// Bends below this (radians) are none: a plane's normal is exact.
+const FLAT: f64 = 1e-6;
+
+pub(super) struct FaceNormals<'a> {
+    pub(super) surface: &'a Surface<'a>,
+    pub(super) graph: &'a CreaseGraph,
+}
+
+impl FaceNormals<'_> {
+    /// The unit normal of a face at a place between vertices.
+    pub(super) fn between(&self, place: &Parents, face: u32) -> Vector3<f64> {
+        let all = place.vertices.into_iter().zip(place.weights);
+        let sum: Vector3<f64> = all
+            .filter(|(_, w)| *w > 0.0)
+            .map(|(v, w)| self.at(v, face) * w)
+            .sum();
+        sum.normalize()
+    }
+
+    /// The normal of a face at one of its vertices. Inside a face triangles count by their angles, as it does not matter then how a
+    /// plane is divided. On its boundary their angles tell nothing of the surface: edges count by how much they bend.
+    fn at(&self, v: u32, face: u32) -> Vector3<f64> {
+        let (mut by_angle, mut by_bend) = (Vector3::zeros(), Vector3::zeros());
+        let (mut is_inside, mut bent) = (true, 0.0);
+        for &h in self.surface.links.outgoing.row(v as usize) {
+            let normal = self.graph.normals[h as usize / 3];
+            if self.graph.faces[h as usize / 3] != face {
+                is_inside = false;
+                continue;
+            }
+            by_angle += normal * self.surface.angle(h);
+            let Some(o) = self.surface.across(h) else {
+                is_inside = false;
+                continue;
+            };
+            if self.graph.faces[o as usize / 3] == face {
+                let other = self.graph.normals[o as usize / 3];
+                let bend = between(&normal, &other);
+                by_bend += (normal + other) * bend;
+                bent += bend;
+            }
+        }
+        if is_inside || bent < FLAT {
+            by_angle
+        } else {
+            by_bend
+        }
+        .normalize()
+    }
+}

@@ -1,0 +1,111 @@
+//! How far a point of the surface is outside the bands around creases: zero on the rails, negative in the band.
+
+use nalgebra::Vector3;
+
+use super::chain_curve::ChainCurve;
+
+/// Edges across a blend.
+const PARTS: f64 = 6.0;
+/// Widths below this part of the largest of a side count as that: towards an end they vanish.
+const LEAST: f64 = 0.3;
+
+/// One side of a chain: a band on one face.
+pub(super) struct Side {
+    /// The face it lies on.
+    pub(super) face: u32,
+    pub(super) curve: u32,
+    /// Per point of the curve how far away the rail is.
+    pub(super) widths: Vec<f64>,
+    /// The largest of them.
+    pub(super) widest: f64,
+}
+
+/// Two sides that meet in a corner on one face: the rail goes around it smoothly.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Corner {
+    /// The smaller number first.
+    pub(super) sides: [u32; 2],
+    /// How far from where the rails would cross it leaves them.
+    pub(super) radius: f64,
+}
+
+/// A side near a vertex.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Entry {
+    pub(super) side: u32,
+    /// Where on the curve the nearest place is.
+    pub(super) at: f64,
+    pub(super) distance: f64,
+    /// The distance minus the width there.
+    pub(super) excess: f64,
+}
+
+/// All sides and corners.
+pub(super) struct Level {
+    pub(super) curves: Vec<ChainCurve>,
+    pub(super) sides: Vec<Side>,
+    /// Sorted by their sides.
+    pub(super) corners: Vec<Corner>,
+}
+
+impl Level {
+    /// How far a point is from a side, from a place on its curve that is near on.
+    pub(super) fn entry(&self, side: u32, p: &Vector3<f64>, near: f64) -> Entry {
+        let of = &self.sides[side as usize];
+        let curve = &self.curves[of.curve as usize];
+        let found = curve.nearest(p, near);
+        Entry {
+            side,
+            at: found.at,
+            distance: found.distance,
+            excess: found.distance - curve.between(&of.widths, found.at),
+        }
+    }
+
+    /// The value where these sides are near.
+    pub(super) fn value(&self, entries: &[Entry]) -> f64 {
+        let mut value = f64::INFINITY;
+        for (i, a) in entries.iter().enumerate() {
+            value = value.min(a.excess);
+            for b in &entries[i + 1..] {
+                if let Some(radius) = self.radius(a.side, b.side) {
+                    let [s, t] = [a, b].map(|e| (1.0 - e.excess / radius).max(0.0));
+                    value = value.min(radius * (1.0 - (s * s + t * t).sqrt()));
+                }
+            }
+        }
+        value
+    }
+
+    /// The value at a point, and the sides near it: those near other points close by.
+    pub(super) fn value_at(&self, p: &Vector3<f64>, near: &[Entry], entries: &mut Vec<Entry>) -> f64 {
+        entries.clear();
+        for of in near {
+            if !entries.iter().any(|e| e.side == of.side) {
+                entries.push(self.entry(of.side, p, of.at));
+            }
+        }
+        self.value(entries)
+    }
+
+    /// The nearest of some sides.
+    pub(super) fn nearest<'e>(&self, entries: &'e [Entry]) -> Option<&'e Entry> {
+        entries.iter().min_by(|a, b| a.excess.total_cmp(&b.excess))
+    }
+
+    /// How long edges of the band are to be near a place on a side: the arc of a ball that touches both faces there is divided into [`PARTS`].
+    pub(super) fn edge_length(&self, entry: &Entry) -> f64 {
+        let side = &self.sides[entry.side as usize];
+        let curve = &self.curves[side.curve as usize];
+        let width = (entry.distance - entry.excess).max(LEAST * side.widest);
+        let bend = curve.between(&curve.bends, entry.at).max(0.1);
+        width * bend / libm::tan(0.5 * bend) / PARTS
+    }
+
+    fn radius(&self, a: u32, b: u32) -> Option<f64> {
+        let pair = [a.min(b), a.max(b)];
+        let of = |corner: &Corner| corner.sides.cmp(&pair);
+        let found = self.corners.binary_search_by(of).ok()?;
+        Some(self.corners[found].radius)
+    }
+}

@@ -1,0 +1,20 @@
+//! Creases become blends: bands around them, cut out along rails, triangulated anew and faired.
+
+mod bands;
+mod chain_curve;
+mod corners;
+mod crease_graph;
+mod cut;
+mod ends;
+mod face_normals;
+mod level;
+mod options;
+mod round;
+mod rounded;
+mod sheet;
+mod surface;
+mod tidy;
+
+pub use options::{Creases, RoundOptions};
+pub use round::round;
+pub use rounded::Rounded;

@@ -1,0 +1,58 @@
+//! What rounding is asked.
+
+use crate::fairing::Options;
+use crate::support::error::Error;
+use crate::support::options::options;
+use crate::support::table::choices;
+
+choices! {
+    /// Creases by whether material or air is inside them.
+    #[derive(Default)]
+    Creases {
+        #[default] 0 "all" All => "all", "";
+        1 "convex" Convex => "edges that stand out", "";
+        2 "concave" Concave => "edges that lie in a fold", "";
+    }
+}
+
+impl Creases {
+    /// Whether an edge that bends so, positive where it is convex, is one of them.
+    pub(super) fn has(self, bend: f64) -> bool {
+        match self {
+            Self::All => true,
+            Self::Convex => bend > 0.0,
+            Self::Concave => bend < 0.0,
+        }
+    }
+}
+
+options! {
+    /// What is asked of [`round`](crate::round).
+    #[derive(Debug, Clone, PartialEq)]
+    RoundOptions {
+        /// How far from a crease its blend reaches, along the surface on both sides.
+        width: f64 = 0.0, real "length" in 0.0.., "at least 0";
+        /// The radius of the ball that touches both sides where the blend begins, in place of `width`; 0 (default): the width holds.
+        radius: f64 = 0.0, real "length" in 0.0.., "at least 0";
+        /// Edges that bend by more than so many degrees are creases. 0 (default): the widest gap between the bends of the mesh tells.
+        angle: f64 = 0.0, real "degrees" in 0.0..=180.0, "between 0 and 180";
+        /// Which creases are rounded. Default: all.
+        creases: Creases = Creases::default(), choice "fairmesh_creases";
+        /// Edges that are rounded, and no others: pairs of vertices; they are creases however little they bend. Default: none, all creases are.
+        edges: Vec<[u32; 2]> = Vec::new(), indices 2;
+        /// How the blends are faired.
+        fairing: Options = Options::default(), elsewhere;
+    }
+}
+
+impl RoundOptions {
+    /// Checks the ranges.
+    ///
+    /// # Errors
+    /// [`Error::BadOption`], which names the option.
+    pub fn validate(&self) -> Result<(), Error> {
+        self.check_ranges()?;
+        let has_width = self.width > 0.0 || self.radius > 0.0;
+        Error::check_option("width", self.width, has_width, "above 0, or a radius is")
+    }
+}

@@ -1,0 +1,112 @@
+//! Creases that become blends: `round`.
+
+use fairmesh::{RoundOptions, Rounded, round};
+use std::f64::consts::TAU;
+
+use crate::fairing::vector;
+
+/// A right prism over a convex polygon, between two heights: closed, two triangles per side, and a fan at each end.
+fn prism(polygon: &[[f64; 2]], heights: [f64; 2]) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let count = polygon.len() as u32;
+    let level = |z: f64| polygon.iter().map(move |&[x, y]| [x, y, z]);
+    let positions = level(heights[0]).chain(level(heights[1])).collect();
+    let mut triangles = Vec::new();
+    for i in 0..count {
+        let j = (i + 1) % count;
+        triangles.extend([[i, j, count + j], [i, count + j, count + i]]);
+    }
+    for i in 1..count - 1 {
+        triangles.extend([[0, i + 1, i], [count, count + i, count + i + 1]]);
+    }
+    (positions, triangles)
+}
+
+/// A regular polygon around the origin.
+fn polygon(corners: u32, radius: f64) -> Vec<[f64; 2]> {
+    let at = |i: u32| TAU * f64::from(i) / f64::from(corners);
+    (0..corners)
+        .map(|i| [radius * at(i).cos(), radius * at(i).sin()])
+        .collect()
+}
+
+fn rounded((positions, triangles): &(Vec<[f64; 3]>, Vec<[u32; 3]>), width: f64) -> Rounded {
+    let options = RoundOptions {
+        width,
+        ..RoundOptions::default()
+    };
+    round(positions, triangles, &options).unwrap()
+}
+
+/// Vertices minus edges plus faces of a mesh every edge of which has two triangles.
+fn euler_number(mesh: &Rounded) -> i64 {
+    let mut edges: Vec<[u32; 2]> = Vec::new();
+    for t in &mesh.triangles {
+        edges.extend((0..3).map(|k| [t[k], t[(k + 1) % 3]]));
+    }
+    let count = edges.len();
+    let back: std::collections::BTreeSet<[u32; 2]> = edges.iter().map(|&[a, b]| [b, a]).collect();
+    assert_eq!(back.len(), count, "an edge twice");
+    assert!(edges.iter().all(|edge| back.contains(edge)), "an open edge");
+    let used: std::collections::BTreeSet<u32> = mesh.triangles.iter().flatten().copied().collect();
+    assert_eq!(used.len(), mesh.positions.len(), "a vertex without a triangle");
+    mesh.positions.len() as i64 - count as i64 / 2 + mesh.triangles.len() as i64
+}
+
+/// The widest angle between neighbouring triangles, degrees.
+fn widest_bend(mesh: &Rounded) -> f64 {
+    let mut normals = std::collections::BTreeMap::new();
+    let mut widest = 0.0_f64;
+    for t in &mesh.triangles {
+        let [a, b, c] = t.map(|v| vector(&mesh.positions[v as usize]));
+        let normal = (b - a).cross(&(c - a)).normalize();
+        for k in 0..3 {
+            let (u, v) = (t[k], t[(k + 1) % 3]);
+            if let Some(other) = normals.insert((u.min(v), u.max(v)), normal) {
+                widest = widest.max(normal.angle(&other).to_degrees());
+            }
+        }
+    }
+    widest
+}
+
+#[test]
+fn a_cube_gets_cylinders_along_its_edges_between_planes() {
+    let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let mesh = rounded(&prism(&square, [-1.0, 1.0]), 0.2);
+    assert!(mesh.report.outcome.is_success(), "{:?}", mesh.report.outcome);
+    assert_eq!(euler_number(&mesh), 2);
+    assert_below!(widest_bend(&mesh), 20.0);
+    let (mut seen, mut off) = (0, 0.0_f64);
+    for p in &mesh.positions {
+        let mut sorted = p.map(f64::abs);
+        sorted.sort_by(f64::total_cmp);
+        let [least, middle, most] = sorted;
+        if least < 0.4 && middle > 0.8 {
+            off = off.max(((middle - 0.8).hypot(most - 0.8) - 0.2).abs());
+            seen += 1;
+        }
+        if middle < 0.5 {
+            assert_below!((most - 1.0).abs(), 1e-15);
+        }
+    }
+    assert!(seen > 500, "{seen} vertices between corners");
+    assert_below!(off, 2e-4);
+}
+
+#[test]
+fn a_hexagonal_prism_and_a_cylinder_stay_closed_and_sound() {
+    for corners in [6, 96] {
+        let mesh = rounded(&prism(&polygon(corners, 1.0), [-1.0, 1.0]), 0.15);
+        assert!(
+            mesh.report.outcome.is_success(),
+            "{corners}: {:?}",
+            mesh.report.outcome
+        );
+        assert_eq!(euler_number(&mesh), 2);
+        assert_below!(widest_bend(&mesh), 20.0);
+        // What stays lies on the faces that there were.
+        let ends = mesh.positions.iter().filter(|p| p[0].hypot(p[1]) < 0.6);
+        assert!(ends.clone().count() > 0);
+        ends.for_each(|p| assert_below!((p[2].abs() - 1.0).abs(), 1e-15));
+    }
+}
