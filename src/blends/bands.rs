@@ -32,8 +32,7 @@ impl Bands {
         let count = sheet.x.len();
         let is_free = |v: &u32| cut.value[*v as usize] < 0.0;
         let there = (0..sheet.triangles.len()).filter(|&t| sheet.is_there(t as u32));
-        let (band, mut faces): (Vec<usize>, Vec<usize>) =
-            there.partition(|&t| sheet.triangles[t].iter().any(is_free));
+        let (band, mut faces): (Vec<usize>, Vec<usize>) = there.partition(|&t| cut.is_band[t]);
         faces.sort_by_key(|&t| sheet.source[t]);
         let of_band = || band.iter().flat_map(|&t| sheet.triangles[t]);
         let mut is_in_band = vec![false; count];

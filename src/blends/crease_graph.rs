@@ -31,8 +31,8 @@ pub(super) struct Chain {
     pub(super) is_chosen: bool,
 }
 
-/// Heights below this, of the longest edge, are of rounding to single precision.
-const THIN: f64 = 1e-6;
+/// Triangles that are thinner than this, height over longest edge, tell nothing where coordinates are rounded to single precision.
+const THIN: f64 = 1e-4;
 /// Thin triangles beside each other that are looked behind.
 const STEPS: usize = 8;
 

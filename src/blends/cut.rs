@@ -21,6 +21,8 @@ pub(super) struct Cut<'a> {
     pub(super) near: Vec<Vec<Entry>>,
     /// Per vertex how far outside the band it is.
     pub(super) value: Vec<f64>,
+    /// Per triangle whether it is in a band; known when rails are cut.
+    pub(super) is_band: Vec<bool>,
     waiting: Vec<u32>,
     is_waiting: Vec<bool>,
 }
@@ -30,6 +32,7 @@ impl<'a> Cut<'a> {
         Self {
             near: vec![Vec::new(); sheet.x.len()],
             value: vec![f64::INFINITY; sheet.x.len()],
+            is_band: Vec::new(),
             waiting: Vec::new(),
             is_waiting: vec![false; sheet.triangles.len()],
             sheet,
@@ -52,7 +55,8 @@ impl<'a> Cut<'a> {
         }
     }
 
-    fn face(&self, t: u32) -> u32 {
+    /// The face that a triangle belongs to.
+    pub(super) fn face(&self, t: u32) -> u32 {
         self.faces[self.sheet.source[t as usize] as usize]
     }
 
@@ -200,6 +204,9 @@ impl<'a> Cut<'a> {
             }
         }
         self.waiting.clear();
+        let value = &self.value;
+        let is_inside = |tri: &[u32; 3]| tri.iter().any(|&v| value[v as usize] < 0.0);
+        self.is_band = self.sheet.triangles.iter().map(is_inside).collect();
     }
 
     /// Splits an edge where it crosses a rail.

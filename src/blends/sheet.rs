@@ -123,6 +123,34 @@ impl Sheet {
             && apexes.iter().all(|&g| valence(g) > 3)
     }
 
+    /// Whether two vertices have an edge; a half-edge that starts at the first is known.
+    fn are_neighbours(&self, h: u32, v: u32) -> bool {
+        let mut found = false;
+        self.fan(h, |g| {
+            found |= self.target(g) == v || self.origin(previous(g)) == v
+        });
+        found
+    }
+
+    /// Turns an edge to the other two corners of its triangles, if these have none yet.
+    pub(super) fn flip(&mut self, h: u32) {
+        let o = self.across(h);
+        let (a, b) = (self.origin(h), self.target(h));
+        let (c, d) = (self.origin(previous(h)), self.origin(previous(o)));
+        if self.are_neighbours(previous(h), d) {
+            return;
+        }
+        let [bc, ca, ad, db] = [next(h), previous(h), next(o), previous(o)].map(|g| self.across(g));
+        let (t, u) = (h / 3, o / 3);
+        self.triangles[t as usize] = [c, a, d];
+        self.triangles[u as usize] = [d, b, c];
+        self.link(3 * t, ca);
+        self.link(3 * t + 1, ad);
+        self.link(3 * t + 2, 3 * u + 2);
+        self.link(3 * u, db);
+        self.link(3 * u + 1, bc);
+    }
+
     /// Moves the vertex where `h` starts onto that where it ends.
     pub(super) fn collapse(&mut self, h: u32) {
         let (b, o) = (self.target(h), self.across(h));

@@ -1,41 +1,93 @@
 //! Vertices that cuts have left and nothing needs: short edges of rails, and what is inside flat faces.
 
+use nalgebra::Vector3;
+
 use super::cut::Cut;
+use super::surface::between;
 use crate::mesh::NONE;
-use crate::mesh::halfedge::next;
+use crate::mesh::halfedge::previous;
 
 /// Edges of rails shorter than this part of the length wanted are taken away.
 const SHORT: f64 = 0.6;
 /// Faces that stay move by at most this, of the length wanted. Planes do not move.
-const MOVES: f64 = 2e-3;
+const MOVES: f64 = 1e-2;
 /// What counts as not at all.
 const STAYS: f64 = 1e-9;
 /// Times that all edges are looked at.
 const ROUNDS: usize = 4;
-/// The smallest angle (its sine) that a triangle of a face may get.
+/// Triangles do not get thinner than this, height over length.
 const SHARP: f64 = 0.02;
+/// Edges beside triangles thinner than this are turned.
+const FLIPPED: f64 = 1e-3;
+/// What is thinner than this has no plane.
+const NEEDLE: f64 = 1e-5;
+/// Triangles turn from their face by less than the angle whose cosine this is.
+const TURNED: f64 = 0.5;
 
 /// Takes such vertices away, none of the first `given` but where they are on rails.
 pub(super) fn tidy(cut: &mut Cut<'_>, given: usize) {
     for _ in 0..ROUNDS {
+        flip(cut, given as u32);
         shorten_rails(cut);
-    }
-    for _ in 0..ROUNDS {
         thin_faces(cut, given as u32);
     }
 }
 
 /// Whether a triangle stays.
 fn stays(cut: &Cut<'_>, t: u32) -> bool {
-    cut.sheet.triangles[t as usize]
-        .iter()
-        .all(|&v| cut.value[v as usize] >= 0.0)
+    !cut.is_band[t as usize]
 }
 
 /// Whether `h` is on a rail, seen from the face that stays.
 fn is_rail(cut: &Cut<'_>, h: u32) -> bool {
     let o = cut.sheet.across(h);
     o != NONE && stays(cut, h / 3) && !stays(cut, o / 3)
+}
+
+/// Turns edges of faces towards Delaunay at needles that cuts have made.
+fn flip(cut: &mut Cut<'_>, given: u32) {
+    for _ in 0..ROUNDS {
+        let mut flips = 0;
+        for h in 0..3 * cut.sheet.triangles.len() as u32 {
+            let (t, o) = (h / 3, cut.sheet.across(h));
+            let is_new = |t: u32| cut.sheet.triangles[t as usize].iter().any(|&v| v >= given);
+            if cut.sheet.is_there(t)
+                && o != NONE
+                && o > h
+                && is_new(t)
+                && is_new(o / 3)
+                && is_better_flipped(cut, h)
+            {
+                cut.sheet.flip(h);
+                flips += 1;
+            }
+        }
+        if flips == 0 {
+            return;
+        }
+    }
+}
+
+/// Whether the two triangles at an edge, one of them a needle, lie on one face, nearly in one plane, and their other diagonal is the better one.
+fn is_better_flipped(cut: &Cut<'_>, h: u32) -> bool {
+    let (sheet, o) = (&cut.sheet, cut.sheet.across(h));
+    if !stays(cut, h / 3) || !stays(cut, o / 3) || cut.face(h / 3) != cut.face(o / 3) {
+        return false;
+    }
+    let [a, b, c, d] = [h, o, previous(h), previous(o)].map(|g| sheet.x[sheet.origin(g) as usize]);
+    let cross = |p: Vector3<f64>, q: Vector3<f64>, r: Vector3<f64>| (q - p).cross(&(r - p));
+    let [m, n] = [cross(a, b, c), cross(b, a, d)];
+    let normal = m + n;
+    let is_thin = thinness(&c, &[a, b], &m).min(thinness(&d, &[a, b], &n)) < FLIPPED;
+    let size = normal.norm();
+    let off = (c - a).dot(&normal).abs().max((d - a).dot(&normal).abs());
+    let Some(wanted) = cut.wanted(sheet.origin(h)) else {
+        return false;
+    };
+    let sum = between(&(a - c), &(b - c)) + between(&(a - d), &(b - d));
+    let is_right = |s: Vector3<f64>| s.dot(&normal) > TURNED * s.norm() * size;
+    let better = sum > std::f64::consts::PI + STAYS;
+    is_thin && better && off <= MOVES * wanted * size && is_right(cross(c, a, d)) && is_right(cross(d, b, c))
 }
 
 fn shorten_rails(cut: &mut Cut<'_>) {
@@ -50,7 +102,7 @@ fn shorten_rails(cut: &mut Cut<'_>) {
             continue;
         }
         let o = cut.sheet.across(h);
-        let ways = [h, o].map(|g| (moves(cut, g), g));
+        let ways = [h, o].map(|g| (moves(cut, g, NEEDLE), g));
         let way = if ways[0].0 <= ways[1].0 { ways[0] } else { ways[1] };
         if way.0 <= MOVES * wanted {
             cut.sheet.collapse(way.1);
@@ -59,7 +111,7 @@ fn shorten_rails(cut: &mut Cut<'_>) {
 }
 
 /// How far the faces that stay would move if the origin of `h` moved to its target; infinity: that cannot be.
-fn moves(cut: &Cut<'_>, h: u32) -> f64 {
+fn moves(cut: &Cut<'_>, h: u32, least: f64) -> f64 {
     let sheet = &cut.sheet;
     if !sheet.can_collapse(h) {
         return f64::INFINITY;
@@ -68,37 +120,57 @@ fn moves(cut: &Cut<'_>, h: u32) -> f64 {
     let (from, to) = (sheet.x[a as usize], sheet.x[b as usize]);
     let mut moves = 0.0_f64;
     let mut rails = 0;
+    // The normals of the pieces of faces around.
+    let mut pieces: Vec<(u32, bool, Vector3<f64>)> = Vec::new();
+    sheet.fan(h, |g| {
+        let piece = (cut.face(g / 3), stays(cut, g / 3), sheet.cross(g / 3, a, &from));
+        match pieces.iter_mut().find(|of| (of.0, of.1) == (piece.0, piece.1)) {
+            Some(of) => of.2 += piece.2,
+            None => pieces.push(piece),
+        }
+    });
     sheet.fan(h, |g| {
         let t = g / 3;
         rails += usize::from(is_rail(cut, g));
         if sheet.triangles[t as usize].contains(&b) {
             return;
         }
-        let [before, after] = [from, to].map(|x| sheet.cross(t, a, &x));
-        if before.dot(&after) <= 0.5 * before.norm() * after.norm() {
+        let (face, is_kept) = (cut.face(t), stays(cut, t));
+        let is_free = |v: u32| cut.value[v as usize] < 0.0;
+        if !is_kept
+            && ![b, sheet.target(g), sheet.origin(previous(g))]
+                .into_iter()
+                .any(is_free)
+        {
             moves = f64::INFINITY;
-        } else if stays(cut, t) {
-            let normal = before.normalize();
-            moves = moves.max((to - from).dot(&normal).abs());
-            let longest = |at: &nalgebra::Vector3<f64>| {
-                let [p, q] = [
-                    sheet.x[sheet.target(g) as usize],
-                    sheet.x[sheet.target(next(g)) as usize],
-                ];
-                (p - at)
-                    .norm_squared()
-                    .max((q - at).norm_squared())
-                    .max((p - q).norm_squared())
-            };
-            if after.norm() < SHARP * longest(&to)
-                && after.norm() * longest(&from) < before.norm() * longest(&to)
-            {
-                moves = f64::INFINITY;
-            }
+        }
+        let [before, after] = [from, to].map(|x| sheet.cross(t, a, &x));
+        let of_piece = pieces.iter().find(|of| (of.0, of.1) == (face, is_kept));
+        if of_piece.is_none_or(|of| of.2.dot(&after) <= TURNED * of.2.norm() * after.norm()) {
+            moves = f64::INFINITY;
+        }
+        let ends = [sheet.target(g), sheet.origin(previous(g))].map(|v| sheet.x[v as usize]);
+        let [thin, thinner] = [(from, before), (to, after)].map(|(at, cross)| thinness(&at, &ends, &cross));
+        if thinner < least && thinner < thin {
+            moves = f64::INFINITY;
+        }
+        // A needle has no plane.
+        if is_kept && thin > NEEDLE {
+            moves = moves.max((to - from).dot(&before).abs() / before.norm());
         }
     });
     // Where two rails meet neither moves.
     if rails > 1 { f64::INFINITY } else { moves }
+}
+
+/// Height over length of a triangle with this cross product.
+fn thinness(at: &Vector3<f64>, ends: &[Vector3<f64>; 2], cross: &Vector3<f64>) -> f64 {
+    let sides = [ends[0] - at, ends[1] - at, ends[1] - ends[0]];
+    let longest = sides
+        .iter()
+        .map(Vector3::norm_squared)
+        .fold(f64::MIN_POSITIVE, f64::max);
+    cross.norm() / longest
 }
 
 /// Takes away vertices inside faces that were put there for the cuts.
@@ -113,7 +185,7 @@ fn thin_faces(cut: &mut Cut<'_>, given: u32) {
             continue;
         }
         let length = cut.sheet.squared_length(h).sqrt();
-        if moves(cut, h) <= STAYS * length {
+        if moves(cut, h, SHARP) <= STAYS * length {
             cut.sheet.collapse(h);
         }
     }
