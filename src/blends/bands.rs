@@ -2,9 +2,11 @@
 
 use nalgebra::Vector3;
 
+use super::crease_graph::Chain;
 use super::cut::Cut;
 use super::face_normals::FaceNormals;
-use super::rounded::Rounded;
+use super::rounded::{CreaseChain, Rounded};
+use super::surface::Surface;
 use crate::fairing::{BoundaryNormals, Coincident, Options, Report, Selection, fair};
 use crate::holes::{Parents, RemeshOptions, Remeshed, compose, remesh_to_lengths};
 use crate::mesh::NONE;
@@ -24,6 +26,8 @@ pub(super) struct Bands {
     normals: Vec<(u32, [f64; 3])>,
     /// Per vertex how long edges are to be there.
     lengths: Vec<f64>,
+    angle: f64,
+    chains: Vec<CreaseChain>,
 }
 
 impl Bands {
@@ -65,6 +69,13 @@ impl Bands {
                 .collect(),
             normals: on_rails.map(normal).collect(),
             lengths: all.map(|v| cut.wanted(v).unwrap_or(0.0)).collect(),
+            angle: normals.graph.least,
+            chains: normals
+                .graph
+                .chains
+                .iter()
+                .map(|chain| told(chain, normals.surface))
+                .collect(),
         }
     }
 
@@ -130,20 +141,24 @@ impl Bands {
             kept_triangles: self.sources,
             parents: Vec::new(),
             free: Vec::new(),
+            angle: self.angle,
+            chains: self.chains,
             report,
         };
-        for v in (0..moved.len()).filter(|&v| is_used[v]) {
+        let stays = |v: &usize| before(*v) < old && !is_free[*v];
+        let used = || (0..moved.len()).filter(|&v| is_used[v]);
+        for v in used().filter(stays) {
             number[v] = out.positions.len() as u32;
-            let place = match before(v) {
-                u if u < old && !is_free[v] => given[u],
-                _ => (Vector3::from(moved[v]) + centre).into(),
-            };
-            out.positions.push(place);
-            match before(v) {
-                u if u < old => out.kept_vertices.push(u as u32),
-                usize::MAX => out.parents.push(parents[made + v - mesh.kept_vertices.len()]),
-                u => out.parents.push(parents[u - old]),
-            }
+            out.positions.push(given[before(v)]);
+            out.kept_vertices.push(before(v) as u32);
+        }
+        for v in used().filter(|v| !stays(v)) {
+            number[v] = out.positions.len() as u32;
+            out.positions.push((Vector3::from(moved[v]) + centre).into());
+            out.parents.push(match before(v) {
+                usize::MAX => parents[made + v - mesh.kept_vertices.len()],
+                u => self.parents[u],
+            });
         }
         let renumbered = |v: &u32| number[*v as usize];
         out.triangles = mesh
@@ -152,6 +167,18 @@ impl Bands {
             .map(|t| [0, 1, 2].map(|k| renumbered(&t[k])))
             .collect();
         out.free = mesh.free.iter().map(renumbered).collect();
+        out.free.sort_unstable();
         out
+    }
+}
+
+fn told(chain: &Chain, surface: &Surface<'_>) -> CreaseChain {
+    let first = chain.half_edges.iter().take(1).map(|&h| surface.origin(h));
+    CreaseChain {
+        vertices: first
+            .chain(chain.half_edges.iter().map(|&h| surface.target(h)))
+            .collect(),
+        bend: chain.bend,
+        is_rounded: chain.is_chosen,
     }
 }

@@ -17,6 +17,8 @@ pub(super) struct CreaseGraph {
     /// Per triangle the face it belongs to.
     pub(super) faces: Vec<u32>,
     pub(super) chains: Vec<Chain>,
+    /// Edges that bend by more than so many degrees are creases.
+    pub(super) least: f64,
     /// Unit normals of triangles, of those without area that of a neighbour.
     pub(super) normals: Vec<Vector3<f64>>,
 }
@@ -27,6 +29,8 @@ pub(super) struct Chain {
     pub(super) half_edges: Vec<u32>,
     /// Whether the last one ends where the first begins, and no corner is there.
     pub(super) is_closed: bool,
+    /// The mean bend, degrees; positive where the surface is convex.
+    pub(super) bend: f64,
     /// Whether it is to be rounded.
     pub(super) is_chosen: bool,
 }
@@ -89,6 +93,7 @@ impl CreaseGraph {
         Self {
             faces,
             chains,
+            least,
             normals,
         }
     }
@@ -174,7 +179,10 @@ fn chains(
                 .into_iter()
                 .for_each(|o| is_used[o as usize] = true);
         }
+        let length: f64 = half_edges.iter().map(|&h| surface.edge(h).norm()).sum();
+        let sum = |h: &u32| surface.edge(*h).norm() * bends[*h as usize];
         chains.push(Chain {
+            bend: half_edges.iter().map(sum).sum::<f64>() / length,
             is_chosen: is_chosen(first),
             half_edges,
             is_closed,

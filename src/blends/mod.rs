@@ -17,4 +17,4 @@ mod tidy;
 
 pub use options::{Creases, RoundOptions};
 pub use round::round;
-pub use rounded::Rounded;
+pub use rounded::{CreaseChain, Rounded};

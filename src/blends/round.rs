@@ -19,10 +19,24 @@ use crate::mesh::Joined;
 use crate::mesh::halfedge::next;
 use crate::support::error::Error;
 
-/// Rounds the creases of a mesh.
+/// Rounds the creases of a mesh: in place of each there is a blend, tangent to the faces beside it. Outside of the blends the surface stays
+/// where it is; triangles that reach into one are cut.
+///
+/// ```
+/// use fairmesh::{RoundOptions, round};
+/// // A tetrahedron.
+/// let positions = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
+/// let triangles = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
+/// let rounded = round(&positions, &triangles, &RoundOptions { width: 0.1, ..RoundOptions::default() })?;
+/// assert!(rounded.report.outcome.is_success());
+/// assert_eq!(rounded.chains.len(), 6);
+/// assert!(rounded.kept_vertices.is_empty()); // nothing of its corners is left
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
 ///
 /// # Errors
-/// Those of [`fair`](crate::fair), and [`Error::BadOption`].
+/// [`Error::BadOption`]; [`Error::NonManifoldEdge`] and the like for a flaw anywhere; [`Error::EmptyRegion`] where there is nothing to be rounded, and
+/// those of [`fair`](crate::fair) for the bands.
 pub fn round(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],

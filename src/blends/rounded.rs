@@ -18,6 +18,21 @@ pub struct Rounded {
     pub parents: Vec<Parents>,
     /// The vertices of the blends, without their rails; ascending.
     pub free: Vec<u32>,
+    /// Edges that bend by more than so many degrees were taken for creases.
+    pub angle: f64,
+    /// The creases of the mesh given.
+    pub chains: Vec<CreaseChain>,
     /// How the blends were faired.
     pub report: Report,
+}
+
+/// A crease from one corner or end to the next.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CreaseChain {
+    /// Its vertices in the mesh given, one after the other; those of a closed one end with the first.
+    pub vertices: Vec<u32>,
+    /// By how many degrees the surface bends there, in the mean; positive where it is convex.
+    pub bend: f64,
+    /// Whether it was rounded.
+    pub is_rounded: bool,
 }

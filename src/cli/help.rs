@@ -143,3 +143,11 @@ New vertices and faces are appended, as by 'fairmesh fill'. Vertices are counted
 Exit codes: 0 the bridge is fair, and with --fill also the holes beside it; 2 wrong usage or input, or a bridge that cannot
 be made, nothing written; 3 written, but not fair: the report says why; 4 memory or threads ran out, nothing written;
 5 written, but not the report about it.";
+
+/// After the flags of `round`.
+pub const ROUND: &str = "\
+Faces stay where they are; those that reach into a blend are cut. The output has positions and triangles alone. Vertices are
+counted from 0, for OBJ too.
+
+Exit codes: 0 all blends are fair; 2 wrong usage or input, nothing written; 3 written, but a blend is not fair: the report
+says why; 4 memory or threads ran out, nothing written; 5 written, but not the report about it.";

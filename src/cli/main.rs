@@ -43,6 +43,7 @@ mod region;
 mod render;
 mod report;
 mod rim;
+mod round;
 mod seams;
 mod select;
 mod selected;
@@ -96,6 +97,9 @@ enum Command {
     /// Connects two runs of boundary edges of a mesh file by a fair strip
     #[command(after_help = help::BRIDGE)]
     Bridge(Box<bridge::BridgeArgs>),
+    /// Rounds the sharp edges of a mesh file: blends take their place
+    #[command(after_help = help::ROUND)]
+    Round(Box<round::RoundArgs>),
     /// Makes the paper's blend of three cylinders: the start, the result and a picture of both
     #[command(after_help = help::DEMO)]
     Demo(demo::DemoArgs),
@@ -154,6 +158,7 @@ fn run() -> Result<ExitCode, Failure> {
         Command::Select(args) => select::run(&args),
         Command::Holes(args) => holes::run(&args),
         Command::Bridge(args) => bridge::run(&args),
+        Command::Round(args) => round::run(&args),
         Command::Demo(args) => demo::run(&args),
         Command::Completions(args) => completions::run(&args, command()),
         Command::Man(args) => man::run(&args, command()),

@@ -37,14 +37,20 @@ pub struct SharpArgs {
 impl SharpArgs {
     /// The edges that are marked, as pairs.
     pub fn marked_edges(&self) -> Vec<[u32; 2]> {
-        let steps = self.marked_edges.iter().flat_map(|chain| chain.0.windows(2));
-        steps.map(|step| [step[0], step[1]]).collect()
+        self.marked_edges.iter().flat_map(MarkedChain::edges).collect()
     }
 }
 
 /// Vertices with edges between them.
 #[derive(Debug, Clone)]
 pub struct MarkedChain(Vec<u32>);
+
+impl MarkedChain {
+    /// The edges, as pairs.
+    pub fn edges(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        self.0.windows(2).map(|step| [step[0], step[1]])
+    }
+}
 
 /// The library's default, in the flag's words.
 fn default() -> &'static str {
@@ -69,8 +75,8 @@ fn sharp(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Reads `--marked-edges`.
-fn marked_chain(text: &str) -> Result<MarkedChain, String> {
+/// Reads vertices with edges between them.
+pub fn marked_chain(text: &str) -> Result<MarkedChain, String> {
     let numbers: Result<Vec<u32>, _> = text.split(',').map(|part| part.trim().parse()).collect();
     match numbers {
         Ok(chain) if chain.len() > 1 => Ok(MarkedChain(chain)),

@@ -19,6 +19,7 @@ mod orientation;
 mod pictures;
 mod pipes;
 mod references;
+mod round;
 mod select;
 mod sharp;
 #[path = "../common/tier.rs"]

@@ -110,3 +110,38 @@ fn a_hexagonal_prism_and_a_cylinder_stay_closed_and_sound() {
         ends.for_each(|p| assert_below!((p[2].abs() - 1.0).abs(), 1e-15));
     }
 }
+
+#[test]
+fn vertices_that_stay_come_first_and_new_ones_have_parents_near_them() {
+    let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let given = prism(&square, [-1.0, 1.0]);
+    let options = RoundOptions {
+        width: 0.2,
+        edges: vec![[0, 1]],
+        ..RoundOptions::default()
+    };
+    let mesh = round(&given.0, &given.1, &options).unwrap();
+    assert_eq!(mesh.chains.iter().filter(|chain| chain.is_rounded).count(), 1);
+    assert_eq!(
+        mesh.kept_vertices.len() + mesh.parents.len(),
+        mesh.positions.len()
+    );
+    for (p, &v) in mesh.positions.iter().zip(&mesh.kept_vertices) {
+        assert_eq!(*p, given.0[v as usize]);
+    }
+    let new = &mesh.positions[mesh.kept_vertices.len()..];
+    for (p, of) in new.iter().zip(&mesh.parents) {
+        let mean: nalgebra::Vector3<f64> = (0..3)
+            .map(|k| vector(&given.0[of.vertices[k] as usize]) * of.weights[k])
+            .sum();
+        assert_below!((vector(p) - mean).norm(), 0.15);
+        assert_below!((of.weights.iter().sum::<f64>() - 1.0).abs(), 1e-12);
+    }
+    for (t, &source) in mesh.triangles.iter().zip(&mesh.kept_triangles) {
+        let [normal, before] = [(&mesh.positions, t), (&given.0, &given.1[source as usize])].map(|(x, t)| {
+            let [a, b, c] = t.map(|v| vector(&x[v as usize]));
+            (b - a).cross(&(c - a)).normalize()
+        });
+        assert_below!((normal - before).norm(), 1e-9);
+    }
+}

@@ -31,6 +31,19 @@ pub fn of_fairing(report: &Report, asks_continuity: bool, remedy: &str, printed:
     }
 }
 
+/// Of creases that were rounded.
+pub fn of_blends(report: &Report, printed: String) -> Story {
+    let is_good = report.outcome.is_success();
+    Story {
+        command: "round",
+        is_good,
+        outcome: explain::outcome(report),
+        advice: advice([""], is_good, false),
+        facts: named(surface(report, false)),
+        printed,
+    }
+}
+
 /// Of holes that were filled, or a bridge; each with its name and how it ended.
 pub fn of_patches(
     command: &'static str,

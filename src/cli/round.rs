@@ -1,0 +1,191 @@
+//! `fairmesh round`: creases become blends.
+
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::{ArgGroup, Args, ValueEnum};
+use fairmesh::{Creases, Options, OutputPrecision, RoundOptions, Rounded, round};
+use serde_json::{Value, json};
+
+use crate::answer::Answer;
+use crate::comparison::{MeshSide, PictureArgs, story};
+use crate::explain;
+use crate::failure::Failure;
+use crate::figures::significant;
+use crate::formats::MeshFile;
+use crate::formats::pipe_args::PipesArgs;
+use crate::formats::plain;
+use crate::orientation;
+use crate::patches::{Files, fairing};
+use crate::sharp_edges::{MarkedChain, marked_chain};
+use crate::surface::{IntersectionArgs, MeshArgs};
+
+/// Creases by whether material or air is inside them.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+enum CreaseKind {
+    /// All of them
+    #[default]
+    All,
+    /// Edges that stand out
+    Convex,
+    /// Edges that lie in a fold
+    Concave,
+}
+
+/// What `fairmesh round` is asked.
+#[derive(Debug, Args)]
+#[command(group = ArgGroup::new("size").required(true))]
+pub struct RoundArgs {
+    /// Mesh file: .ply, .obj, .off or .stl, optionally .gz; '-': stdin
+    input: PathBuf,
+    /// Output file; may be the input; '-': stdout. Written completely or not at all
+    #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
+    output: PathBuf,
+    #[command(flatten)]
+    pipes: PipesArgs,
+    /// How far blends reach from the edge, on both sides
+    #[arg(long, value_name = "X", group = "size")]
+    width: Option<f64>,
+    /// Radius of a ball that touches both sides where the blend begins: between planes
+    /// the radius of the blend
+    #[arg(long, value_name = "X", group = "size", verbatim_doc_comment)]
+    radius: Option<f64>,
+    /// Edges that bend by more than so many degrees are creases
+    /// [default: by the widest gap between the bends of the mesh]
+    #[arg(long, value_name = "DEGREES", verbatim_doc_comment)]
+    angle: Option<f64>,
+    /// Which creases are rounded
+    #[arg(long, value_name = "WHICH", value_enum, default_value_t)]
+    creases: CreaseKind,
+    /// Only edges from each of these vertices to the next one are rounded, however little
+    /// they bend; may be given several times
+    #[arg(long, value_name = "A,B,...", value_parser = marked_chain, verbatim_doc_comment)]
+    edges: Vec<MarkedChain>,
+    /// Stop when the vertices move less than this part of a blend's diagonal, between
+    /// 0 and 1 [default: 1e-8]
+    #[arg(long, value_name = "X", verbatim_doc_comment)]
+    tolerance: Option<f64>,
+    /// Worker threads; 0: one per processor.
+    /// The result does not depend on it
+    #[arg(long, value_name = "N", default_value_t = 0, verbatim_doc_comment)]
+    threads: usize,
+    #[command(flatten)]
+    mesh: MeshArgs,
+    #[command(flatten)]
+    intersections: IntersectionArgs,
+    #[command(flatten)]
+    pictures: PictureArgs,
+    /// Also write the report as JSON; '-': to stdout, instead of the text
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// No report; errors are still printed
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// Rounds; true if all blends are fair.
+pub fn run(args: &RoundArgs) -> Result<bool, Failure> {
+    let start = Instant::now();
+    let piped = args.pipes.of(&args.input, Some(&args.output))?;
+    let Files {
+        format,
+        mesh,
+        turned,
+        precision,
+        output,
+    } = Files::open(&args.input, &args.output, piped, &args.mesh)?;
+    let answer = Answer::prepare(
+        args.json.as_deref(),
+        args.quiet,
+        Some(&args.output),
+        &[&args.input],
+    )?;
+    args.pictures.check(std::slice::from_ref(&args.input))?;
+    let pictures = args.pictures.prepare(&args.input, &args.output)?;
+    let solving = Instant::now();
+    let geometry = &mesh.geometry;
+    let rounded = round(
+        &geometry.positions,
+        &geometry.triangles,
+        &options(args, precision),
+    )
+    .map_err(|error| refusal(args, &mesh, &error))?;
+    let solve = solving.elapsed().as_secs_f64();
+    output.write(&plain(format, &rounded.positions, &rounded.triangles))?;
+    let is_good = rounded.report.outcome.is_success();
+    if let Some(pictures) = &pictures {
+        let after = MeshSide {
+            positions: &rounded.positions,
+            triangles: &rounded.triangles,
+        };
+        let told = story::of_blends(&rounded.report, readable(&rounded));
+        pictures.write(geometry.surface(), after, &told)?;
+    }
+    let total = start.elapsed().as_secs_f64();
+    let json = || {
+        let chains = rounded.chains.iter().map(
+            |chain| json!({ "vertices": chain.vertices, "bend": chain.bend, "rounded": chain.is_rounded }),
+        );
+        json!({ "angle": rounded.angle, "chains": chains.collect::<Vec<Value>>(), "fairing": fairing(&rounded.report),
+            "turned_faces": turned, "kept_vertices": rounded.kept_vertices.len(), "new_vertices": rounded.parents.len(),
+            "new_triangles": rounded.triangles.len() - rounded.kept_triangles.len(),
+            "seconds": { "solve": solve, "total": total } })
+    };
+    answer.tell(&[&args.output], json, || {
+        orientation::turned(turned) + &readable(&rounded)
+    })?;
+    Ok(is_good)
+}
+
+fn options(args: &RoundArgs, output_precision: OutputPrecision) -> RoundOptions {
+    let defaults = Options::default();
+    RoundOptions {
+        width: args.width.unwrap_or(0.0),
+        radius: args.radius.unwrap_or(0.0),
+        angle: args.angle.unwrap_or(0.0),
+        creases: match args.creases {
+            CreaseKind::All => Creases::All,
+            CreaseKind::Convex => Creases::Convex,
+            CreaseKind::Concave => Creases::Concave,
+        },
+        edges: args.edges.iter().flat_map(MarkedChain::edges).collect(),
+        fairing: Options {
+            tolerance: args.tolerance.unwrap_or(defaults.tolerance),
+            output_precision,
+            threads: args.threads,
+            intersections: args.intersections.intersections(),
+            coincident: args.mesh.coincident,
+            ..defaults
+        },
+    }
+}
+
+/// The library's refusal; that there is nothing to be done, by what was asked.
+fn refusal(args: &RoundArgs, mesh: &MeshFile, error: &fairmesh::Error) -> Failure {
+    match error {
+        fairmesh::Error::EmptyRegion => Failure::new(format!(
+            "{}: no such edge bends enough to be rounded; --angle says from how many degrees on",
+            args.input.display()
+        )),
+        _ => explain::refusal(&args.input, mesh, error),
+    }
+}
+
+fn readable(rounded: &Rounded) -> String {
+    let count = rounded.chains.iter().filter(|chain| chain.is_rounded).count();
+    let mut text = format!(
+        "{count} of {} creases rounded, those of more than {} degrees: {}\n",
+        rounded.chains.len(),
+        significant(rounded.angle),
+        explain::outcome(&rounded.report)
+    );
+    let _ = writeln!(
+        text,
+        "{} new vertices, {} new faces; {} iterations",
+        rounded.parents.len(),
+        rounded.triangles.len() - rounded.kept_triangles.len(),
+        rounded.report.iterations
+    );
+    text
+}
