@@ -7,14 +7,16 @@ use super::cut::Cut;
 use super::face_normals::FaceNormals;
 use super::rounded::{CreaseChain, Rounded};
 use super::surface::Surface;
-use crate::fairing::{BoundaryNormals, Coincident, Options, Report, Selection, fair};
-use crate::holes::{Parents, RemeshOptions, Remeshed, compose, remesh_to_lengths};
+use crate::fairing::{BoundaryNormals, Coincident, Options, Report, Selection, Solution, fair};
+use crate::holes::{Parents, RemeshOptions, compose, remesh_to_lengths};
 use crate::mesh::NONE;
 use crate::support::error::Error;
 
 /// The mesh with bands that are cut out.
 pub(super) struct Bands {
     positions: Vec<[f64; 3]>,
+    /// The vertices of the mesh given that they are; [`NONE`] of others, and of those that move.
+    given: Vec<u32>,
     /// Of which vertices of the mesh given each one consists.
     parents: Vec<Parents>,
     /// Those of faces that stay, in the order of what they are parts of, then the bands'.
@@ -49,6 +51,7 @@ impl Bands {
             on_rail.for_each(|v| face[v as usize] = of);
         }
         let all = 0..count as u32;
+        let is_given = |v: u32| (v as usize) < normals.surface.x.len() && !is_free(&v);
         let on_rails = all.clone().filter(|&v| face[v as usize] != NONE);
         let normal = |v: u32| {
             (
@@ -60,6 +63,7 @@ impl Bands {
         };
         Self {
             positions: sheet.x.iter().map(|&p| p.into()).collect(),
+            given: all.clone().map(|v| if is_given(v) { v } else { NONE }).collect(),
             parents: sheet.parents.clone(),
             triangles: faces.iter().chain(&band).map(|&t| sheet.triangles[t]).collect(),
             sources: faces.iter().map(|&t| sheet.source[t]).collect(),
@@ -79,7 +83,8 @@ impl Bands {
         }
     }
 
-    /// Triangulates the bands anew and fairs them.
+    /// Triangulates the bands anew and fairs them; where that leads to no sound surface once more, from the surface that it has led to: that is smooth
+    /// already, and vertices are spread over it evenly.
     ///
     /// # Errors
     /// Those of [`fair`].
@@ -89,51 +94,83 @@ impl Bands {
         centre: &Vector3<f64>,
         options: &Options,
     ) -> Result<Rounded, Error> {
-        let remeshing = RemeshOptions {
+        let mut bands = self.remeshed(given.len())?;
+        let mut solution = bands.solve(options)?;
+        for _ in 0..AGAIN {
+            if solution.report.outcome.is_success() {
+                break;
+            }
+            bands.positions.clone_from(&solution.positions);
+            bands = bands.remeshed(given.len())?;
+            solution = bands.solve(options)?;
+        }
+        bands.positions = solution.positions;
+        Ok(bands.assemble(given, centre, solution.report))
+    }
+
+    /// With a new triangulation of the bands; the mesh given has so many vertices.
+    fn remeshed(self, given: usize) -> Result<Self, Error> {
+        let options = RemeshOptions {
             coincident: Coincident::Separate,
             ..RemeshOptions::default()
         };
-        let selection = Selection::Vertices(&self.free);
         let length = |v: u32| self.lengths[v as usize];
-        let mesh = remesh_to_lengths(&self.positions, &self.triangles, selection, &remeshing, &length)?;
+        let selection = Selection::Vertices(&self.free);
+        let mesh = remesh_to_lengths(&self.positions, &self.triangles, selection, &options, &length)?;
+        // Numbers of bands stand behind those of the mesh given.
+        let mut parents = self.parents;
+        let made = parents.len();
+        parents.extend(mesh.parents.iter().map(|of| Parents {
+            vertices: of.vertices.map(|v| v + given as u32),
+            weights: of.weights,
+        }));
+        compose(&mut parents, given, made);
+        let kept = || mesh.kept_vertices.iter().map(|&v| v as usize);
+        let new = mesh.positions.len() - mesh.kept_vertices.len();
         let moved = |v: u32| mesh.kept_vertices.binary_search(&v).ok().map(|new| new as u32);
-        let normals = self.normals.iter().filter_map(|&(v, n)| Some((moved(v)?, n)));
+        Ok(Self {
+            given: kept().map(|v| self.given[v]).chain(vec![NONE; new]).collect(),
+            parents: kept()
+                .map(|v| parents[v])
+                .chain(parents[made..].iter().copied())
+                .collect(),
+            lengths: kept().map(|v| self.lengths[v]).chain(vec![0.0; new]).collect(),
+            normals: self
+                .normals
+                .iter()
+                .filter_map(|&(v, n)| Some((moved(v)?, n)))
+                .collect(),
+            positions: mesh.positions,
+            triangles: mesh.triangles,
+            free: mesh.free,
+            ..self
+        })
+    }
+
+    fn solve(&self, options: &Options) -> Result<Solution, Error> {
         let fairing = Options {
-            boundary_normals: BoundaryNormals::Given(normals.collect()),
+            boundary_normals: BoundaryNormals::Given(self.normals.clone()),
             coincident: Coincident::Separate,
             sharp: 0.0,
             ..options.clone()
         };
-        let solution = fair(
-            &mesh.positions,
-            &mesh.triangles,
-            Selection::Vertices(&mesh.free),
+        fair(
+            &self.positions,
+            &self.triangles,
+            Selection::Vertices(&self.free),
             &fairing,
-        )?;
-        Ok(self.assemble(given, centre, mesh, (&solution.positions, solution.report)))
+        )
     }
 
     /// The result without vertices that no triangle has any more; those given that stay have their own bits.
-    fn assemble(
-        self,
-        given: &[[f64; 3]],
-        centre: &Vector3<f64>,
-        mesh: Remeshed,
-        (moved, report): (&[[f64; 3]], Report),
-    ) -> Rounded {
-        let old = given.len();
-        let mut is_free = vec![false; moved.len()];
-        mesh.free.iter().for_each(|&v| is_free[v as usize] = true);
-        let mut is_used = vec![false; moved.len()];
-        let corners = mesh.triangles.iter().flatten();
-        corners.for_each(|&v| is_used[v as usize] = true);
-        let before = |v: usize| mesh.kept_vertices.get(v).map_or(usize::MAX, |&u| u as usize);
-        // Of what the cut has made, then of what is new in the bands.
-        let mut parents = self.parents[old..].to_vec();
-        let made = parents.len();
-        parents.extend(&mesh.parents);
-        compose(&mut parents, old, made);
-        let mut number = vec![NONE; moved.len()];
+    fn assemble(self, given: &[[f64; 3]], centre: &Vector3<f64>, report: Report) -> Rounded {
+        let count = self.positions.len();
+        let mut is_used = vec![false; count];
+        self.triangles
+            .iter()
+            .flatten()
+            .for_each(|&v| is_used[v as usize] = true);
+        let mut number = vec![NONE; count];
         let mut out = Rounded {
             positions: Vec::new(),
             triangles: Vec::new(),
@@ -145,32 +182,30 @@ impl Bands {
             chains: self.chains,
             report,
         };
-        let stays = |v: &usize| before(*v) < old && !is_free[*v];
-        let used = || (0..moved.len()).filter(|&v| is_used[v]);
-        for v in used().filter(stays) {
+        let (stays, moves): (Vec<usize>, Vec<usize>) = (0..count)
+            .filter(|&v| is_used[v])
+            .partition(|&v| self.given[v] != NONE);
+        for v in stays {
             number[v] = out.positions.len() as u32;
-            out.positions.push(given[before(v)]);
-            out.kept_vertices.push(before(v) as u32);
+            out.positions.push(given[self.given[v] as usize]);
+            out.kept_vertices.push(self.given[v]);
         }
-        for v in used().filter(|v| !stays(v)) {
+        for v in moves {
             number[v] = out.positions.len() as u32;
-            out.positions.push((Vector3::from(moved[v]) + centre).into());
-            out.parents.push(match before(v) {
-                usize::MAX => parents[made + v - mesh.kept_vertices.len()],
-                u => self.parents[u],
-            });
+            out.positions
+                .push((Vector3::from(self.positions[v]) + centre).into());
+            out.parents.push(self.parents[v]);
         }
-        let renumbered = |v: &u32| number[*v as usize];
-        out.triangles = mesh
-            .triangles
-            .iter()
-            .map(|t| [0, 1, 2].map(|k| renumbered(&t[k])))
-            .collect();
-        out.free = mesh.free.iter().map(renumbered).collect();
+        let renumbered = |v: u32| number[v as usize];
+        out.triangles = self.triangles.iter().map(|t| t.map(renumbered)).collect();
+        out.free = self.free.iter().map(|&v| renumbered(v)).collect();
         out.free.sort_unstable();
         out
     }
 }
+
+/// Times that bands are triangulated once more.
+const AGAIN: usize = 2;
 
 fn told(chain: &Chain, surface: &Surface<'_>) -> CreaseChain {
     let first = chain.half_edges.iter().take(1).map(|&h| surface.origin(h));

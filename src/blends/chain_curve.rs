@@ -8,6 +8,8 @@ pub(super) struct ChainCurve {
     /// Between points along the chain.
     pub(super) spacing: f64,
     pub(super) is_closed: bool,
+    /// Per point the edge of the chain that it was on.
+    pub(super) edges: Vec<usize>,
     /// Per point how far the surface bends there, radians.
     pub(super) bends: Vec<f64>,
 }
@@ -33,6 +35,7 @@ impl ChainCurve {
         let (points, places, spacing) = even(vertices, is_closed, width / PER_WIDTH);
         let mut curve = Self {
             bends: places.iter().map(|&k| bends[k]).collect(),
+            edges: places,
             points,
             spacing,
             is_closed,
@@ -81,6 +84,22 @@ impl ChainCurve {
             window.clone().map(|k| values[self.number(i + k)]).sum::<f64>() / (2 * WINDOW + 1) as f64
         };
         (0..values.len() as i64).map(mean).collect()
+    }
+
+    /// The direction of the curve at a point, of any length.
+    pub(super) fn tangent(&self, i: usize) -> Vector3<f64> {
+        self.point(i as i64 + 1) - self.point(i as i64 - 1)
+    }
+
+    /// How far it is along the curve between two points.
+    pub(super) fn between_points(&self, i: usize, j: usize) -> f64 {
+        let (steps, count) = (i.abs_diff(j), self.points.len());
+        let steps = if self.is_closed {
+            steps.min(count - steps)
+        } else {
+            steps
+        };
+        steps as f64 * self.spacing
     }
 
     fn point(&self, i: i64) -> Vector3<f64> {

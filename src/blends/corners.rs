@@ -8,22 +8,36 @@ use crate::mesh::halfedge::previous;
 
 /// How far from the crossing of two rails at a right angle they leave their lines, in widths.
 const RADIUS: f64 = 0.5;
-/// Below this radius, of the width, a corner is none.
+/// Below this radius, in widths, a corner is none.
 const LEAST: f64 = 0.1;
 
-/// The corners of all faces at which bands of this width meet. A rail leaves the lines that it has along the creases where they would come as near each
-/// other as this: the more pointed the corner, the earlier.
-pub(super) fn corners(surface: &Surface<'_>, graph: &CreaseGraph, width: f64) -> Vec<Corner> {
+/// The corners of all faces at which bands meet, and per side of a chain the angles of its face at the chain's beginning and end: half a turn where no
+/// other band begins. A rail leaves the lines that it has along the creases where they would come near each other: the more pointed the corner,
+/// the earlier.
+pub(super) fn corners(surface: &Surface<'_>, graph: &CreaseGraph) -> (Vec<Corner>, Vec<[f64; 2]>) {
     let side = sides(surface, graph);
     let mut corners = Vec::new();
+    let mut angles = vec![[std::f64::consts::PI; 2]; 2 * graph.chains.len()];
     let all = 0..surface.half_edges();
     for h in all.filter(|&h| side[h as usize] != NONE) {
         let Some((other, angle)) = next_crease(surface, &side, h) else {
             continue;
         };
         let [a, b] = [side[h as usize], side[other as usize]];
-        let radius = RADIUS * width * 2.0_f64.sqrt() * libm::cos(0.5 * angle.min(std::f64::consts::PI));
-        if a != b && radius > LEAST * width {
+        let is_end = |side: u32, h: u32| {
+            let all = &graph.chains[side as usize / 2].half_edges;
+            [all[0], all[all.len() - 1]].map(|e| e == h || surface.across(e) == Some(h))
+        };
+        // `h` begins at the corner, `other` ends there; along the right side of a chain both run against it.
+        if is_end(a, h)[a as usize % 2]
+            && is_end(b, other)[1 - b as usize % 2]
+            && !graph.chains[a as usize / 2].is_closed
+        {
+            angles[a as usize][a as usize % 2] = angle;
+            angles[b as usize][1 - b as usize % 2] = angle;
+        }
+        let radius = RADIUS * 2.0_f64.sqrt() * libm::cos(0.5 * angle.min(std::f64::consts::PI));
+        if a != b && radius > LEAST {
             corners.push(Corner {
                 sides: [a.min(b), a.max(b)],
                 radius,
@@ -32,7 +46,7 @@ pub(super) fn corners(surface: &Surface<'_>, graph: &CreaseGraph, width: f64) ->
     }
     corners.sort_by_key(|corner| corner.sides);
     corners.dedup_by_key(|corner| corner.sides);
-    corners
+    (corners, angles)
 }
 
 /// Per half-edge along a crease that is rounded the side of a chain that it belongs to.

@@ -35,6 +35,14 @@ pub(super) struct Chain {
     pub(super) is_chosen: bool,
 }
 
+impl Chain {
+    /// Its first vertex and its last one.
+    pub(super) fn ends(&self, surface: &Surface<'_>) -> [u32; 2] {
+        let last = self.half_edges[self.half_edges.len() - 1];
+        [surface.origin(self.half_edges[0]), surface.target(last)]
+    }
+}
+
 /// Triangles that are thinner than this, height over longest edge, tell nothing where coordinates are rounded to single precision.
 const THIN: f64 = 1e-4;
 /// Thin triangles beside each other that are looked behind.
@@ -100,6 +108,12 @@ impl CreaseGraph {
 }
 
 impl CreaseGraph {
+    /// The faces on the left and on the right of a chain.
+    pub(super) fn beside(&self, chain: &Chain, surface: &Surface<'_>) -> [u32; 2] {
+        let h = chain.half_edges[0];
+        [h, surface.across(h).unwrap_or(h)].map(|g| self.faces[g as usize / 3])
+    }
+
     /// How far the surface bends at an edge, radians.
     pub(super) fn bend(&self, surface: &Surface<'_>, h: u32) -> f64 {
         let other = surface.across(h).unwrap_or(h);

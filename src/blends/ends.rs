@@ -20,7 +20,8 @@ impl Ends {
             .iter()
             .filter(|chain| chain.is_chosen && !chain.is_closed)
         {
-            ends(chain, surface)
+            chain
+                .ends(surface)
                 .into_iter()
                 .for_each(|v| of.meet[v as usize] += 1);
         }
@@ -33,12 +34,6 @@ impl Ends {
     /// At which ends of a chain its band fades out.
     pub(super) fn fade(&self, chain: &Chain, surface: &Surface<'_>) -> [bool; 2] {
         let is_alone = |v: u32| self.meet[v as usize] == 1 || self.is_boundary[v as usize];
-        ends(chain, surface).map(|v| !chain.is_closed && is_alone(v))
+        chain.ends(surface).map(|v| !chain.is_closed && is_alone(v))
     }
-}
-
-/// The first vertex of a chain and the last one.
-fn ends(chain: &Chain, surface: &Surface<'_>) -> [u32; 2] {
-    let last = chain.half_edges[chain.half_edges.len() - 1];
-    [surface.origin(chain.half_edges[0]), surface.target(last)]
 }

@@ -25,7 +25,7 @@ pub(super) struct Side {
 pub(super) struct Corner {
     /// The smaller number first.
     pub(super) sides: [u32; 2],
-    /// How far from where the rails would cross it leaves them.
+    /// How far from where the rails would cross it leaves them, in widths.
     pub(super) radius: f64,
 }
 
@@ -69,6 +69,7 @@ impl Level {
             value = value.min(a.excess);
             for b in &entries[i + 1..] {
                 if let Some(radius) = self.radius(a.side, b.side) {
+                    let radius = radius * (a.distance - a.excess).min(b.distance - b.excess);
                     let [s, t] = [a, b].map(|e| (1.0 - e.excess / radius).max(0.0));
                     value = value.min(radius * (1.0 - (s * s + t * t).sqrt()));
                 }

@@ -14,6 +14,7 @@ mod rounded;
 mod sheet;
 mod surface;
 mod tidy;
+mod widths;
 
 pub use options::{Creases, RoundOptions};
 pub use round::round;

@@ -7,7 +7,6 @@ use super::chain_curve::ChainCurve;
 use super::corners::corners;
 use super::crease_graph::{Chain, CreaseGraph};
 use super::cut::Cut;
-use super::ends::Ends;
 use super::face_normals::FaceNormals;
 use super::level::{Level, Side};
 use super::options::RoundOptions;
@@ -15,6 +14,7 @@ use super::rounded::Rounded;
 use super::sheet::Sheet;
 use super::surface::Surface;
 use super::tidy::tidy;
+use super::widths::Widths;
 use crate::mesh::Joined;
 use crate::mesh::halfedge::next;
 use crate::support::error::Error;
@@ -66,48 +66,31 @@ pub fn round(
 
 /// The sides of all chains, with their widths.
 fn level(surface: &Surface<'_>, graph: &CreaseGraph, options: &RoundOptions) -> Level {
-    let width = if options.radius > 0.0 {
-        options.radius
-    } else {
-        options.width
-    };
-    let mut of = Level {
-        curves: Vec::new(),
-        sides: Vec::new(),
-        corners: corners(surface, graph, width),
-    };
-    let ends = Ends::new(surface, graph);
-    for (number, chain) in (0..).zip(&graph.chains) {
+    let base = options.radius.max(options.width);
+    let curve = |chain: &Chain| {
         let bends: Vec<f64> = chain.half_edges.iter().map(|&h| graph.bend(surface, h)).collect();
-        let curve = ChainCurve::new(&vertices(chain, surface), &bends, chain.is_closed, width);
-        let asked = widths(&curve, options);
-        let fades = ends.fade(chain, surface);
-        let at =
-            |i: usize| asked[i] * (curve.along(i, fades) / (FADE * asked[i]).max(f64::MIN_POSITIVE)).min(1.0);
-        let widths: Vec<f64> = (0..asked.len()).map(at).collect();
-        let widest = asked.iter().copied().fold(0.0, f64::max);
-        of.sides
-            .extend(faces_beside(chain, surface, graph).map(|face| Side {
-                face,
-                curve: number,
-                widest,
-                widths: widths.clone(),
-            }));
-        of.curves.push(curve);
-    }
-    of
-}
-
-/// Over so many widths a band fades out where its crease ends.
-const FADE: f64 = 2.0;
-
-/// The widths asked at the points of a curve.
-fn widths(curve: &ChainCurve, options: &RoundOptions) -> Vec<f64> {
-    let at = |&bend: &f64| match options.radius > 0.0 {
-        true => options.radius * libm::tan(0.5 * bend),
-        false => options.width,
+        ChainCurve::new(&vertices(chain, surface), &bends, chain.is_closed, base)
     };
-    curve.bends.iter().map(at).collect()
+    let curves: Vec<ChainCurve> = graph.chains.iter().map(curve).collect();
+    let (corners, angles) = corners(surface, graph);
+    let mut widths = Widths::asked(&curves, options);
+    widths.fit(surface, graph, &curves, &angles);
+    widths.fade(surface, graph, &curves);
+    let mut sides = Vec::new();
+    for ((number, chain), widths) in (0..).zip(&graph.chains).zip(widths.0) {
+        let widest = widths.iter().copied().fold(0.0, f64::max);
+        sides.extend(graph.beside(chain, surface).map(|face| Side {
+            face,
+            curve: number,
+            widest,
+            widths: widths.clone(),
+        }));
+    }
+    Level {
+        curves,
+        sides,
+        corners,
+    }
 }
 
 /// The places of a chain's vertices; of a closed one the first is not repeated.
@@ -116,12 +99,6 @@ fn vertices(chain: &Chain, surface: &Surface<'_>) -> Vec<Vector3<f64>> {
     let last = chain.half_edges.iter().map(|&h| surface.target(h)).next_back();
     let all = first.chain(last.filter(|_| !chain.is_closed));
     all.map(|v| surface.x[v as usize]).collect()
-}
-
-/// The faces on the left and on the right of a chain.
-fn faces_beside(chain: &Chain, surface: &Surface<'_>, graph: &CreaseGraph) -> [u32; 2] {
-    let h = chain.half_edges[0];
-    [h, surface.across(h).unwrap_or(h)].map(|g| graph.faces[g as usize / 3])
 }
 
 /// Tells the vertices of all chains where on them they are.

@@ -1,0 +1,192 @@
+//! How wide bands are: what is asked, as far as there is room for it.
+
+use nalgebra::Vector3;
+use rstar::RTree;
+use rstar::primitives::GeomWithData;
+
+use super::chain_curve::ChainCurve;
+use super::crease_graph::CreaseGraph;
+use super::ends::Ends;
+use super::options::RoundOptions;
+use super::surface::Surface;
+
+/// Two bands on one face take at most this part of the distance between their creases each.
+const SHARE: f64 = 0.42;
+/// Where two bands meet in corners at both ends of a crease their rails take at most this part of it.
+const ALONG: f64 = 0.85;
+/// Points of one curve are apart if it is so many times as far along the curve as through space: about as on a half circle.
+const APART: f64 = 1.4;
+/// What lies in a direction on a face: the cosine.
+const AHEAD: f64 = 0.4;
+/// Widths change by at most so much per length.
+const SLOPE: f64 = 0.25;
+/// Over so many widths a band fades out where its crease ends.
+const FADE: f64 = 2.0;
+
+/// Per chain and point of its curve.
+pub(super) struct Widths(pub(super) Vec<Vec<f64>>);
+
+/// A point of a curve: the chain, and its number there.
+type Sample = GeomWithData<[f64; 3], (u32, u32)>;
+
+impl Widths {
+    /// What is asked.
+    pub(super) fn asked(curves: &[ChainCurve], options: &RoundOptions) -> Self {
+        let at = |&bend: &f64| match options.radius > 0.0 {
+            true => options.radius * libm::tan(0.5 * bend),
+            false => options.width,
+        };
+        Self(
+            curves
+                .iter()
+                .map(|curve| curve.bends.iter().map(at).collect())
+                .collect(),
+        )
+    }
+
+    /// Narrows them where bands would meet.
+    pub(super) fn fit(
+        &mut self,
+        surface: &Surface<'_>,
+        graph: &CreaseGraph,
+        curves: &[ChainCurve],
+        angles: &[[f64; 2]],
+    ) {
+        let points = (0..).zip(curves).flat_map(|(c, curve)| {
+            let of = (0..).zip(&curve.points);
+            of.map(move |(i, p)| Sample::new((*p).into(), (c, i)))
+        });
+        let tree = RTree::bulk_load(points.collect());
+        let room = Room {
+            surface,
+            graph,
+            curves,
+            tree: &tree,
+        };
+        for (c, chain) in graph
+            .chains
+            .iter()
+            .enumerate()
+            .filter(|(_, chain)| chain.is_chosen)
+        {
+            let length = chain
+                .half_edges
+                .iter()
+                .map(|&h| surface.edge(h).norm())
+                .sum::<f64>();
+            let cotangents = |side: usize| angles[side].map(|a| 1.0 / libm::tan(0.5 * a)).iter().sum::<f64>();
+            let cotangent = cotangents(2 * c).max(cotangents(2 * c + 1));
+            let longest = if cotangent > 1e-9 {
+                ALONG * length / cotangent
+            } else {
+                f64::INFINITY
+            };
+            for (i, width) in self.0[c].iter_mut().enumerate() {
+                *width = width.min(longest).min(SHARE * room.at(c, i, *width / SHARE));
+            }
+        }
+        self.even_out(surface, graph, curves);
+    }
+
+    /// Lets widths change slowly along chains, and from one to the next.
+    fn even_out(&mut self, surface: &Surface<'_>, graph: &CreaseGraph, curves: &[ChainCurve]) {
+        let mut at_vertex = vec![f64::INFINITY; surface.x.len()];
+        for _ in 0..2 {
+            for (c, chain) in graph
+                .chains
+                .iter()
+                .enumerate()
+                .filter(|(_, chain)| chain.is_chosen)
+            {
+                let (widths, step) = (&mut self.0[c], SLOPE * curves[c].spacing);
+                let (last, ends) = (widths.len() - 1, chain.ends(surface).map(|v| v as usize));
+                if !chain.is_closed {
+                    widths[0] = widths[0].min(at_vertex[ends[0]]);
+                    widths[last] = widths[last].min(at_vertex[ends[1]]);
+                }
+                // Twice around closes a ring.
+                for i in 1..=2 * last {
+                    let (here, before) = (i % (last + 1), (i - 1) % (last + 1));
+                    if here > 0 || chain.is_closed {
+                        widths[here] = widths[here].min(widths[before] + step);
+                    }
+                }
+                for i in (0..2 * last).rev() {
+                    let (here, after) = (i % (last + 1), (i + 1) % (last + 1));
+                    if here < last || chain.is_closed {
+                        widths[here] = widths[here].min(widths[after] + step);
+                    }
+                }
+                if !chain.is_closed {
+                    at_vertex[ends[0]] = at_vertex[ends[0]].min(widths[0]);
+                    at_vertex[ends[1]] = at_vertex[ends[1]].min(widths[last]);
+                }
+            }
+        }
+    }
+
+    /// Lets bands end where their creases do.
+    pub(super) fn fade(&mut self, surface: &Surface<'_>, graph: &CreaseGraph, curves: &[ChainCurve]) {
+        let ends = Ends::new(surface, graph);
+        for ((widths, chain), curve) in self.0.iter_mut().zip(&graph.chains).zip(curves) {
+            let fades = ends.fade(chain, surface);
+            for (i, width) in widths.iter_mut().enumerate() {
+                *width *= (curve.along(i, fades) / (FADE * *width).max(f64::MIN_POSITIVE)).min(1.0);
+            }
+        }
+    }
+}
+
+/// How far it is to other creases.
+struct Room<'a> {
+    surface: &'a Surface<'a>,
+    graph: &'a CreaseGraph,
+    curves: &'a [ChainCurve],
+    tree: &'a RTree<Sample>,
+}
+
+impl Room<'_> {
+    /// The distance from a point of a curve over either face beside it to the next crease of the face that does not meet this one, if it is less than
+    /// `most`.
+    fn at(&self, c: usize, i: usize, most: f64) -> f64 {
+        let (chain, curve) = (&self.graph.chains[c], &self.curves[c]);
+        let p = curve.points[i];
+        let faces = self.graph.beside(chain, self.surface);
+        let inward = self.inward(c, i);
+        let mut nearest = most;
+        for sample in self.tree.locate_within_distance(p.into(), most * most) {
+            let (d, j) = (sample.data.0 as usize, sample.data.1 as usize);
+            let to = Vector3::from(*sample.geom()) - p;
+            let distance = to.norm();
+            let other = &self.graph.chains[d];
+            let is_apart = match c == d {
+                true => curve.between_points(i, j) > APART * distance,
+                false => !self.meet(c, d),
+            };
+            if distance >= nearest || !is_apart {
+                continue;
+            }
+            let others = self.graph.beside(other, self.surface);
+            let is_ahead = |k: usize| others.contains(&faces[k]) && to.dot(&inward[k]) > AHEAD * distance;
+            if is_ahead(0) || is_ahead(1) {
+                nearest = distance;
+            }
+        }
+        nearest
+    }
+
+    /// Whether two chains end at the same vertex.
+    fn meet(&self, c: usize, d: usize) -> bool {
+        let [here, there] = [c, d].map(|c| self.graph.chains[c].ends(self.surface));
+        here.iter().any(|v| there.contains(v))
+    }
+
+    /// Unit vectors from a curve into the faces on its left and on its right.
+    fn inward(&self, c: usize, i: usize) -> [Vector3<f64>; 2] {
+        let (chain, curve) = (&self.graph.chains[c], &self.curves[c]);
+        let h = chain.half_edges[curve.edges[i]];
+        let normals = [h, self.surface.across(h).unwrap_or(h)].map(|g| self.graph.normals[g as usize / 3]);
+        let along = curve.tangent(i);
+        [normals[0].cross(&along), along.cross(&normals[1])].map(|v| v.try_normalize(0.0).unwrap_or_default())
+    }
+}
