@@ -21,7 +21,9 @@ const SHARP: f64 = 0.02;
 const FLIPPED: f64 = 1e-3;
 /// What is thinner than this has no plane.
 const NEEDLE: f64 = 1e-5;
-/// Triangles turn from their face by less than the angle whose cosine this is.
+/// Triangles of faces turn from them by less than 20 degrees: the cosine.
+const TILTED: f64 = 0.94;
+/// Those of bands turn by less than the angle whose cosine this is.
 const TURNED: f64 = 0.5;
 
 /// Takes such vertices away, none of the first `given` but where they are on rails.
@@ -146,7 +148,8 @@ fn moves(cut: &Cut<'_>, h: u32, least: f64) -> f64 {
         }
         let [before, after] = [from, to].map(|x| sheet.cross(t, a, &x));
         let of_piece = pieces.iter().find(|of| (of.0, of.1) == (face, is_kept));
-        if of_piece.is_none_or(|of| of.2.dot(&after) <= TURNED * of.2.norm() * after.norm()) {
+        let turned = if is_kept { TILTED } else { TURNED };
+        if of_piece.is_none_or(|of| of.2.dot(&after) <= turned * of.2.norm() * after.norm()) {
             moves = f64::INFINITY;
         }
         let ends = [sheet.target(g), sheet.origin(previous(g))].map(|v| sheet.x[v as usize]);
