@@ -16,6 +16,8 @@ const SHARE: f64 = 0.42;
 const ALONG: f64 = 0.85;
 /// Points of one curve are apart if it is so many times as far along the curve as through space: about as on a half circle.
 const APART: f64 = 1.4;
+/// No band is narrowed below this part of the width asked: its triangles would be without number.
+const LEAST: f64 = 0.1;
 /// What lies in a direction on a face: the cosine.
 const AHEAD: f64 = 0.4;
 /// Widths change by at most so much per length.
@@ -82,7 +84,8 @@ impl Widths {
                 f64::INFINITY
             };
             for (i, width) in self.0[c].iter_mut().enumerate() {
-                *width = width.min(longest).min(SHARE * room.at(c, i, *width / SHARE));
+                let fits = longest.min(SHARE * room.at(c, i, *width / SHARE));
+                *width = width.min(fits.max(LEAST * *width));
             }
         }
         self.even_out(surface, graph, curves);
