@@ -145,3 +145,10 @@ fn vertices_that_stay_come_first_and_new_ones_have_parents_near_them() {
         assert_below!((normal - before).norm(), 1e-9);
     }
 }
+
+#[test]
+fn a_plate_much_thinner_than_the_width_takes_no_triangles_without_number() {
+    let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let mesh = rounded(&prism(&square, [0.0, 0.01]), 0.2);
+    assert_below!(mesh.triangles.len(), 60_000);
+}
