@@ -10,12 +10,14 @@ pub(super) struct ChainCurve {
     pub(super) is_closed: bool,
     /// Per point the edge of the chain that it was on.
     pub(super) edges: Vec<usize>,
-    /// Per point how far the surface bends there, radians.
+    /// Per point how far the surface bends there, radians; at least [`FLATTEST`].
     pub(super) bends: Vec<f64>,
 }
 
 /// Points per width of the band.
-const PER_WIDTH: f64 = 8.0;
+pub(super) const PER_WIDTH: f64 = 8.0;
+/// What bends less (radians) counts as this much: where nothing bends, a ball touches both sides in one point, and no band would be left.
+const FLATTEST: f64 = 0.1;
 /// Points to each side of one that it is fitted to: half a width.
 const WINDOW: usize = 4;
 /// Points to each side among which the nearest is looked for.
@@ -77,11 +79,12 @@ impl ChainCurve {
         solved.map_or(self.points[i], |rows| rows.row(0).transpose())
     }
 
-    /// The mean of a function over the points around each.
+    /// The mean of bends over the points around each.
     fn averaged(&self, values: &[f64]) -> Vec<f64> {
         let window = -(WINDOW as i64)..=WINDOW as i64;
         let mean = |i: i64| {
-            window.clone().map(|k| values[self.number(i + k)]).sum::<f64>() / (2 * WINDOW + 1) as f64
+            let sum: f64 = window.clone().map(|k| values[self.number(i + k)]).sum();
+            (sum / (2 * WINDOW + 1) as f64).max(FLATTEST)
         };
         (0..values.len() as i64).map(mean).collect()
     }
@@ -195,7 +198,7 @@ fn even(vertices: &[Vector3<f64>], is_closed: bool, step: f64) -> (Vec<Vector3<f
         along.push(along[along.len() - 1] + (pair[1] - pair[0]).norm());
     }
     let length = along[along.len() - 1];
-    let parts = libm::ceil(length / step).clamp(if is_closed { 8.0 } else { 2.0 }, MOST as f64) as usize;
+    let parts = libm::ceil(length / step).max(if is_closed { 8.0 } else { 2.0 }) as usize;
     let spacing = length / parts as f64;
     let (mut points, mut places) = (Vec::with_capacity(parts + 1), Vec::with_capacity(parts + 1));
     let mut k = 0;
@@ -218,6 +221,3 @@ fn even(vertices: &[Vector3<f64>], is_closed: bool, step: f64) -> (Vec<Vector3<f
     }
     (points, places, spacing)
 }
-
-/// No chain has more points.
-const MOST: usize = 1_000_000;

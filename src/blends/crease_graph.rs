@@ -36,6 +36,10 @@ pub(super) struct Chain {
 }
 
 impl Chain {
+    pub(super) fn length(&self, surface: &Surface<'_>) -> f64 {
+        self.half_edges.iter().map(|&h| surface.edge(h).norm()).sum()
+    }
+
     /// Its first vertex and its last one.
     pub(super) fn ends(&self, surface: &Surface<'_>) -> [u32; 2] {
         let last = self.half_edges[self.half_edges.len() - 1];

@@ -99,7 +99,7 @@ impl Level {
         let side = &self.sides[entry.side as usize];
         let curve = &self.curves[side.curve as usize];
         let width = (entry.distance - entry.excess).max(LEAST * side.widest);
-        let bend = curve.between(&curve.bends, entry.at).max(0.1);
+        let bend = curve.between(&curve.bends, entry.at);
         width * bend / libm::tan(0.5 * bend) / PARTS
     }
 

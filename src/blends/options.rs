@@ -31,9 +31,9 @@ options! {
     #[derive(Debug, Clone, PartialEq)]
     RoundOptions {
         /// How far from a crease its blend reaches, along the surface on both sides.
-        width: f64 = 0.0, real "length" in 0.0.., "at least 0";
+        width: f64 = 0.0, real "length" in 0.0..=f64::MAX, "finite and at least 0";
         /// The radius of the ball that touches both sides where the blend begins, in place of `width`; 0 (default): the width holds.
-        radius: f64 = 0.0, real "length" in 0.0.., "at least 0";
+        radius: f64 = 0.0, real "length" in 0.0..=f64::MAX, "finite and at least 0";
         /// Edges that bend by more than so many degrees are creases. 0 (default): the widest gap between the bends of the mesh tells.
         angle: f64 = 0.0, real "degrees" in 0.0..=180.0, "between 0 and 180";
         /// Which creases are rounded. Default: all.
@@ -46,12 +46,13 @@ options! {
 }
 
 impl RoundOptions {
-    /// Checks the ranges.
+    /// Checks the ranges of all options, those of the fairing included.
     ///
     /// # Errors
     /// [`Error::BadOption`], which names the option.
     pub fn validate(&self) -> Result<(), Error> {
         self.check_ranges()?;
+        self.fairing.validate()?;
         let has_width = self.width > 0.0 || self.radius > 0.0;
         Error::check_option("width", self.width, has_width, "above 0, or a radius is")
     }

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::bands::Bands;
-use super::chain_curve::ChainCurve;
+use super::chain_curve::{ChainCurve, PER_WIDTH};
 use super::corners::corners;
 use super::crease_graph::{Chain, CreaseGraph};
 use super::cut::Cut;
@@ -46,6 +46,7 @@ pub fn round(
     let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
     let surface = Surface::new(positions, &joined.triangles)?;
     let graph = CreaseGraph::new(&surface, options);
+    check_size(&surface, &graph, options)?;
     let level = level(&surface, &graph, options);
     let sheet = Sheet::new(
         surface.x.clone(),
@@ -62,6 +63,25 @@ pub fn round(
         graph: &graph,
     };
     Bands::new(&cut, &normals).fair(positions, &surface.centre, &options.fairing)
+}
+
+/// More points of curves than this are a slip of the width: each has about three vertices of a blend beside it.
+const MOST_POINTS: f64 = 1e6;
+
+/// # Errors
+/// [`Error::EmptyRegion`] if no crease is rounded, [`Error::BadOption`] for a width that would take vertices without number.
+fn check_size(surface: &Surface<'_>, graph: &CreaseGraph, options: &RoundOptions) -> Result<(), Error> {
+    let chosen = || graph.chains.iter().filter(|chain| chain.is_chosen);
+    if chosen().next().is_none() {
+        return Err(Error::EmptyRegion);
+    }
+    let (name, width) = match options.radius > 0.0 {
+        true => ("radius", options.radius),
+        false => ("width", options.width),
+    };
+    let length: f64 = chosen().map(|chain| chain.length(surface)).sum();
+    let is_enough = PER_WIDTH * length <= MOST_POINTS * width;
+    Error::check_option(name, width, is_enough, "larger, for creases as long as these")
 }
 
 /// The sides of all chains, with their widths.

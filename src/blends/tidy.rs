@@ -87,7 +87,7 @@ fn is_better_flipped(cut: &Cut<'_>, h: u32) -> bool {
         return false;
     };
     let sum = between(&(a - c), &(b - c)) + between(&(a - d), &(b - d));
-    let is_right = |s: Vector3<f64>| s.dot(&normal) > TURNED * s.norm() * size;
+    let is_right = |s: Vector3<f64>| s.dot(&normal) > TILTED * s.norm() * size;
     let better = sum > std::f64::consts::PI + STAYS;
     is_thin && better && off <= MOVES * wanted * size && is_right(cross(c, a, d)) && is_right(cross(d, b, c))
 }

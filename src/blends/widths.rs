@@ -71,15 +71,10 @@ impl Widths {
             .enumerate()
             .filter(|(_, chain)| chain.is_chosen)
         {
-            let length = chain
-                .half_edges
-                .iter()
-                .map(|&h| surface.edge(h).norm())
-                .sum::<f64>();
             let cotangents = |side: usize| angles[side].map(|a| 1.0 / libm::tan(0.5 * a)).iter().sum::<f64>();
             let cotangent = cotangents(2 * c).max(cotangents(2 * c + 1));
             let longest = if cotangent > 1e-9 {
-                ALONG * length / cotangent
+                ALONG * chain.length(surface) / cotangent
             } else {
                 f64::INFINITY
             };

@@ -1,6 +1,6 @@
 //! Creases that become blends: `round`.
 
-use fairmesh::{RoundOptions, Rounded, round};
+use fairmesh::{Creases, Error, RoundOptions, Rounded, round};
 use std::f64::consts::TAU;
 
 use crate::fairing::vector;
@@ -144,6 +144,52 @@ fn vertices_that_stay_come_first_and_new_ones_have_parents_near_them() {
         });
         assert_below!((normal - before).norm(), 1e-9);
     }
+}
+
+/// A width or radius that cannot be, and what is said of it.
+#[test]
+fn widths_that_cannot_be_are_refused() {
+    let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let cube = prism(&square, [-1.0, 1.0]);
+    let asked = |width: f64, radius: f64| RoundOptions {
+        width,
+        radius,
+        ..RoundOptions::default()
+    };
+    for (width, radius, named) in [
+        (0.0, 0.0, "width"),
+        (-1.0, 0.0, "width"),
+        (f64::INFINITY, 0.0, "width"),
+        (0.0, f64::NAN, "radius"),
+        (1e-9, 0.0, "width"),
+        (0.0, 1e-9, "radius"),
+    ] {
+        match round(&cube.0, &cube.1, &asked(width, radius)) {
+            Err(Error::BadOption { name, .. }) => assert_eq!(name, named),
+            other => panic!("{width}, {radius}: {other:?}"),
+        }
+    }
+    let wide = round(&cube.0, &cube.1, &asked(1e3, 0.0));
+    assert!(matches!(wide, Err(Error::NothingFixed { .. })), "{wide:?}");
+    let concave = RoundOptions {
+        creases: Creases::Concave,
+        ..asked(0.2, 0.0)
+    };
+    assert_eq!(round(&cube.0, &cube.1, &concave).unwrap_err(), Error::EmptyRegion);
+}
+
+/// No ball touches two sides of an edge that does not bend but in the edge itself.
+#[test]
+fn an_edge_that_does_not_bend_can_be_named_with_a_radius() {
+    let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let cube = prism(&square, [-1.0, 1.0]);
+    let diagonal = RoundOptions {
+        radius: 0.2,
+        edges: vec![[0, 5]],
+        ..RoundOptions::default()
+    };
+    let mesh = round(&cube.0, &cube.1, &diagonal).unwrap();
+    assert_below!(mesh.triangles.len(), 60_000);
 }
 
 #[test]
