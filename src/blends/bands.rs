@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use super::crease_graph::Chain;
 use super::cut::Cut;
 use super::face_normals::FaceNormals;
+use super::rails::Rails;
 use super::rounded::{CreaseChain, Rounded};
 use super::surface::Surface;
 use crate::fairing::{BoundaryNormals, Coincident, Options, Report, Selection, Solution, fair};
@@ -26,6 +27,8 @@ pub(super) struct Bands {
     free: Vec<u32>,
     /// Normals along the rails.
     normals: Vec<(u32, [f64; 3])>,
+    /// Edges of creases that are not rounded, where they arrive at rails.
+    creases: Vec<[u32; 2]>,
     /// Per vertex how long edges are to be there.
     lengths: Vec<f64>,
     angle: f64,
@@ -43,24 +46,10 @@ impl Bands {
         let of_band = || band.iter().flat_map(|&t| sheet.triangles[t]);
         let mut is_in_band = vec![false; count];
         of_band().for_each(|v| is_in_band[v as usize] = true);
-        // Per vertex of a rail the face that it bounds.
-        let mut face = vec![NONE; count];
-        for &t in &faces {
-            let of = normals.graph.faces[sheet.source[t] as usize];
-            let on_rail = sheet.triangles[t].into_iter().filter(|&v| is_in_band[v as usize]);
-            on_rail.for_each(|v| face[v as usize] = of);
-        }
+        let rails = Rails::new(cut, &band);
+        let normal = |v: u32| Some((v, rails.normal(v, cut, normals)?.into()));
         let all = 0..count as u32;
         let is_given = |v: u32| (v as usize) < normals.surface.x.len() && !is_free(&v);
-        let on_rails = all.clone().filter(|&v| face[v as usize] != NONE);
-        let normal = |v: u32| {
-            (
-                v,
-                normals
-                    .between(&sheet.parents[v as usize], face[v as usize])
-                    .into(),
-            )
-        };
         Self {
             positions: sheet.x.iter().map(|&p| p.into()).collect(),
             given: all.clone().map(|v| if is_given(v) { v } else { NONE }).collect(),
@@ -71,7 +60,8 @@ impl Bands {
                 .clone()
                 .filter(|v| is_in_band[*v as usize] && is_free(v))
                 .collect(),
-            normals: on_rails.map(normal).collect(),
+            normals: all.clone().filter_map(normal).collect(),
+            creases: rails.creases(cut, &faces),
             lengths: all.map(|v| cut.wanted(v).unwrap_or(0.0)).collect(),
             angle: normals.graph.least,
             chains: normals
@@ -128,7 +118,7 @@ impl Bands {
         let kept = || mesh.kept_vertices.iter().map(|&v| v as usize);
         let new = mesh.positions.len() - mesh.kept_vertices.len();
         let moved = |v: u32| mesh.kept_vertices.binary_search(&v).ok().map(|new| new as u32);
-        Ok(Self {
+        let whole = Self {
             given: kept().map(|v| self.given[v]).chain(vec![NONE; new]).collect(),
             parents: kept()
                 .map(|v| parents[v])
@@ -140,18 +130,54 @@ impl Bands {
                 .iter()
                 .filter_map(|&(v, n)| Some((moved(v)?, n)))
                 .collect(),
+            creases: self
+                .creases
+                .iter()
+                .filter_map(|&[a, b]| Some([moved(a)?, moved(b)?]))
+                .collect(),
             positions: mesh.positions,
             triangles: mesh.triangles,
             free: mesh.free,
             ..self
-        })
+        };
+        Ok(whole.compacted())
+    }
+
+    /// In the numbers of the result: vertices given that stay, then the others; none without a triangle.
+    fn compacted(self) -> Self {
+        let count = self.positions.len();
+        let mut is_used = vec![false; count];
+        self.triangles
+            .iter()
+            .flatten()
+            .for_each(|&v| is_used[v as usize] = true);
+        let (stays, moves): (Vec<usize>, Vec<usize>) = (0..count)
+            .filter(|&v| is_used[v])
+            .partition(|&v| self.given[v] != NONE);
+        let order: Vec<usize> = stays.into_iter().chain(moves).collect();
+        let mut number = vec![NONE; count];
+        (0..).zip(&order).for_each(|(new, &v)| number[v] = new);
+        let renumbered = |v: u32| number[v as usize];
+        let mut free: Vec<u32> = self.free.iter().map(|&v| renumbered(v)).collect();
+        free.sort_unstable();
+        Self {
+            positions: order.iter().map(|&v| self.positions[v]).collect(),
+            given: order.iter().map(|&v| self.given[v]).collect(),
+            parents: order.iter().map(|&v| self.parents[v]).collect(),
+            lengths: order.iter().map(|&v| self.lengths[v]).collect(),
+            triangles: self.triangles.iter().map(|t| t.map(renumbered)).collect(),
+            normals: self.normals.iter().map(|&(v, n)| (renumbered(v), n)).collect(),
+            creases: self.creases.iter().map(|edge| edge.map(renumbered)).collect(),
+            free,
+            ..self
+        }
     }
 
     fn solve(&self, options: &Options) -> Result<Solution, Error> {
         let fairing = Options {
             boundary_normals: BoundaryNormals::Given(self.normals.clone()),
             coincident: Coincident::Separate,
-            sharp: 0.0,
+            marked_edges: self.creases.clone(),
             ..options.clone()
         };
         fair(
@@ -162,45 +188,24 @@ impl Bands {
         )
     }
 
-    /// The result without vertices that no triangle has any more; those given that stay have their own bits.
+    /// The result; vertices given that stay have their own bits.
     fn assemble(self, given: &[[f64; 3]], centre: &Vector3<f64>, report: Report) -> Rounded {
-        let count = self.positions.len();
-        let mut is_used = vec![false; count];
-        self.triangles
-            .iter()
-            .flatten()
-            .for_each(|&v| is_used[v as usize] = true);
-        let mut number = vec![NONE; count];
-        let mut out = Rounded {
-            positions: Vec::new(),
-            triangles: Vec::new(),
-            kept_vertices: Vec::new(),
+        let kept = self.given.iter().take_while(|v| **v != NONE).count();
+        let place = |(v, p): (&u32, &[f64; 3])| match *v {
+            NONE => (Vector3::from(*p) + centre).into(),
+            v => given[v as usize],
+        };
+        Rounded {
+            positions: self.given.iter().zip(&self.positions).map(place).collect(),
+            triangles: self.triangles,
+            kept_vertices: self.given[..kept].to_vec(),
             kept_triangles: self.sources,
-            parents: Vec::new(),
-            free: Vec::new(),
+            parents: self.parents[kept..].to_vec(),
+            free: self.free,
             angle: self.angle,
             chains: self.chains,
             report,
-        };
-        let (stays, moves): (Vec<usize>, Vec<usize>) = (0..count)
-            .filter(|&v| is_used[v])
-            .partition(|&v| self.given[v] != NONE);
-        for v in stays {
-            number[v] = out.positions.len() as u32;
-            out.positions.push(given[self.given[v] as usize]);
-            out.kept_vertices.push(self.given[v]);
         }
-        for v in moves {
-            number[v] = out.positions.len() as u32;
-            out.positions
-                .push((Vector3::from(self.positions[v]) + centre).into());
-            out.parents.push(self.parents[v]);
-        }
-        let renumbered = |v: u32| number[v as usize];
-        out.triangles = self.triangles.iter().map(|t| t.map(renumbered)).collect();
-        out.free = self.free.iter().map(|&v| renumbered(v)).collect();
-        out.free.sort_unstable();
-        out
     }
 }
 

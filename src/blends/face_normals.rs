@@ -15,14 +15,14 @@ pub(super) struct FaceNormals<'a> {
 }
 
 impl FaceNormals<'_> {
-    /// The unit normal of a face at a place between vertices.
-    pub(super) fn between(&self, place: &Parents, face: u32) -> Vector3<f64> {
+    /// The unit normal of a face at a place between vertices, if there is one.
+    pub(super) fn between(&self, place: &Parents, face: u32) -> Option<Vector3<f64>> {
         let all = place.vertices.into_iter().zip(place.weights);
         let sum: Vector3<f64> = all
             .filter(|(_, w)| *w > 0.0)
             .map(|(v, w)| self.at(v, face) * w)
             .sum();
-        sum.normalize()
+        sum.try_normalize(0.0)
     }
 
     /// The normal of a face at one of its vertices. Inside a face triangles count by their angles, as it does not matter then how a
@@ -53,6 +53,7 @@ impl FaceNormals<'_> {
         } else {
             by_bend
         }
-        .normalize()
+        .try_normalize(0.0)
+        .unwrap_or_default()
     }
 }

@@ -9,6 +9,7 @@ mod ends;
 mod face_normals;
 mod level;
 mod options;
+mod rails;
 mod round;
 mod rounded;
 mod sheet;

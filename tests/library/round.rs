@@ -1,6 +1,6 @@
 //! Creases that become blends: `round`.
 
-use fairmesh::{Creases, Error, RoundOptions, Rounded, round};
+use fairmesh::{Creases, Error, LooseReason, Outcome, RoundOptions, Rounded, round};
 use std::f64::consts::TAU;
 
 use crate::fairing::vector;
@@ -176,6 +176,27 @@ fn widths_that_cannot_be_are_refused() {
         ..asked(0.2, 0.0)
     };
     assert_eq!(round(&cube.0, &cube.1, &concave).unwrap_err(), Error::EmptyRegion);
+}
+
+/// Two edges of a cube are rounded; the third one at their corner arrives there, and ends: that is told, by its vertex.
+#[test]
+fn a_crease_that_is_not_rounded_and_arrives_at_a_blend_is_told() {
+    let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let cube = prism(&square, [-1.0, 1.0]);
+    let options = RoundOptions {
+        width: 0.2,
+        edges: vec![[0, 1], [1, 2]],
+        ..RoundOptions::default()
+    };
+    let mesh = round(&cube.0, &cube.1, &options).unwrap();
+    let reason = LooseReason::SharpEdge;
+    assert_eq!(mesh.report.outcome, Outcome::ConvergedLoosely { reason });
+    let [edge] = &mesh.report.sharp_edges[..] else {
+        panic!("{:?}", mesh.report.sharp_edges)
+    };
+    let p = mesh.positions[edge.ends[0].vertex as usize];
+    assert_below!((p[0] - 1.0).abs() + (p[1] + 1.0).abs(), 1e-12);
+    assert_below!(p[2], -0.5);
 }
 
 /// No ball touches two sides of an edge that does not bend but in the edge itself.
