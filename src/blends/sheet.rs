@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use crate::holes::Parents;
 use crate::mesh::NONE;
+use crate::mesh::half_edge_edits;
 use crate::mesh::halfedge::{next, previous};
 
 /// Half-edge `3 t + k` runs from corner `k` of triangle `t` to the next one.
@@ -134,47 +135,21 @@ impl Sheet {
 
     /// Turns an edge to the other two corners of its triangles, if these have none yet.
     pub(super) fn flip(&mut self, h: u32) {
-        let o = self.across(h);
-        let (a, b) = (self.origin(h), self.target(h));
-        let (c, d) = (self.origin(previous(h)), self.origin(previous(o)));
-        if self.are_neighbours(previous(h), d) {
-            return;
+        let opposite_corner = self.origin(previous(self.across(h)));
+        if !self.are_neighbours(previous(h), opposite_corner) {
+            half_edge_edits::flip(&mut self.triangles, &mut self.opposite, h);
         }
-        let [bc, ca, ad, db] = [next(h), previous(h), next(o), previous(o)].map(|g| self.across(g));
-        let (t, u) = (h / 3, o / 3);
-        self.triangles[t as usize] = [c, a, d];
-        self.triangles[u as usize] = [d, b, c];
-        self.link(3 * t, ca);
-        self.link(3 * t + 1, ad);
-        self.link(3 * t + 2, 3 * u + 2);
-        self.link(3 * u, db);
-        self.link(3 * u + 1, bc);
     }
 
     /// Moves the vertex where `h` starts onto that where it ends.
     pub(super) fn collapse(&mut self, h: u32) {
-        let (b, o) = (self.target(h), self.across(h));
-        let mut around = Vec::new();
-        self.fan(h, |g| around.push(g));
-        let [bc, ca, ad, db] = [next(h), previous(h), next(o), previous(o)].map(|g| self.across(g));
-        for g in around {
-            self.triangles[g as usize / 3][g as usize % 3] = b;
-        }
-        for t in [h / 3, o / 3] {
-            self.triangles[t as usize] = [NONE; 3];
-            (0..3).for_each(|k| self.opposite[(3 * t + k) as usize] = NONE);
-        }
-        self.link(bc, ca);
-        self.link(ad, db);
+        let mut outgoing = Vec::new();
+        self.fan(h, |g| outgoing.push(g));
+        half_edge_edits::collapse(&mut self.triangles, &mut self.opposite, h, &outgoing);
     }
 
     fn link(&mut self, g: u32, h: u32) {
-        if g != NONE {
-            self.opposite[g as usize] = h;
-        }
-        if h != NONE {
-            self.opposite[h as usize] = g;
-        }
+        half_edge_edits::link(&mut self.opposite, g, h);
     }
 
     /// Splits an edge at the fraction `t` of the way along `h`; the new vertex. `h` then ends there, and the half-edge behind it is the first of the

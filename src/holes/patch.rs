@@ -6,6 +6,7 @@
 use nalgebra::Vector3;
 
 use crate::mesh::NONE;
+use crate::mesh::half_edge_edits;
 use crate::mesh::halfedge::{next, previous};
 use crate::mesh::rows::Rows;
 
@@ -127,12 +128,7 @@ impl Patch {
     }
 
     fn link(&mut self, g: u32, h: u32) {
-        if g != NONE {
-            self.opposite[g as usize] = h;
-        }
-        if h != NONE {
-            self.opposite[h as usize] = g;
-        }
+        half_edge_edits::link(&mut self.opposite, g, h);
     }
 
     /// Closes a disc along pairs of its boundary edges, which their first vertices name. Each vertex becomes the one that `of`
@@ -259,17 +255,10 @@ impl Patch {
     /// Turns an edge inside the patch to the other two corners of its triangles.
     pub(super) fn flip(&mut self, h: u32) {
         let o = self.across(h);
-        let (a, b) = (self.origin(h), self.target(h));
-        let (c, d) = (self.apex(h), self.apex(o));
-        let [bc, ca, ad, db] = [next(h), previous(h), next(o), previous(o)].map(|g| self.across(g));
-        let (t0, t1) = (h / 3, o / 3);
-        self.set(t0, [c, a, d]);
-        self.set(t1, [d, b, c]);
-        self.link(3 * t0, ca);
-        self.link(3 * t0 + 1, ad);
-        self.link(3 * t0 + 2, 3 * t1 + 2);
-        self.link(3 * t1, db);
-        self.link(3 * t1 + 1, bc);
+        half_edge_edits::flip(&mut self.triangles, &mut self.opposite, h);
+        for t in [h / 3, o / 3] {
+            self.set(t, self.triangles[t as usize]);
+        }
     }
 
     /// Whether two vertices have an edge in the patch; `outgoing` is scratch.
@@ -289,20 +278,11 @@ impl Patch {
         if !outgoing.iter().all(|&g| self.stays_sound(g, b, &target)) {
             return false;
         }
-        let [bc, ca, ad, db] = [next(h), previous(h), next(o), previous(o)].map(|g| self.across(g));
-        for &g in &*outgoing {
-            self.triangles[g as usize / 3][g as usize % 3] = b;
-        }
-        for t in [h / 3, o / 3] {
-            self.triangles[t as usize] = [NONE; 3];
-            (0..3).for_each(|k| self.opposite[(3 * t + k) as usize] = NONE);
-        }
-        self.link(bc, ca);
-        self.link(ad, db);
+        let across = half_edge_edits::collapse(&mut self.triangles, &mut self.opposite, h, outgoing);
         self.out[a as usize] = NONE;
         self.gone += 1;
         // Every triangle kept around b and the two apexes can tell a half-edge.
-        for g in [bc, ca, ad, db].into_iter().filter(|&g| g != NONE) {
+        for g in across.into_iter().filter(|&g| g != NONE) {
             let (from, to) = (self.origin(g), self.target(g));
             self.out[from as usize] = g;
             self.out[to as usize] = next(g);

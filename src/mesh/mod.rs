@@ -14,6 +14,7 @@ pub(crate) mod edge_set;
 pub(crate) mod editable;
 mod excerpt;
 pub(crate) mod graded;
+pub(crate) mod half_edge_edits;
 pub(crate) mod halfedge;
 pub(crate) mod hierarchy;
 pub(crate) mod input;

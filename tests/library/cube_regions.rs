@@ -66,14 +66,7 @@ fn regions_near_a_corner_are_exact_wherever_their_boundary_runs() {
     let (mut crossed, mut failed) = (0, 0);
     for seed in 1..=seeds {
         let (positions, triangles) = uneven_cube(seed);
-        let centre = [
-            0.0,
-            0.1 + 0.2 * chance(seed, 0.77),
-            0.1 + 0.2 * chance(seed, 1.31),
-        ];
-        let radius = 0.1 + 0.3 * chance(seed, 2.3);
-        let far = |p: &[f64; 3]| (0..3).map(|k| (p[k] - centre[k]).powi(2)).sum::<f64>().sqrt();
-        let free: Vec<bool> = positions.iter().map(|p| far(p) < radius).collect();
+        let free = ball(&positions, seed);
         let asked = Options {
             sharp: Options::SHARP_AUTO,
             ..options(1e-9)
