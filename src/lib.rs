@@ -30,7 +30,7 @@ mod regions;
 mod solve;
 mod support;
 
-pub use blends::{CreaseChain, Creases, RoundOptions, Rounded, round};
+pub use blends::{CreaseChain, Creases, Narrowing, RoundOptions, Rounded, SharpCorner, round};
 pub use fairing::{
     Attempt, AttemptEnd, BoundaryCurvature, BoundaryNormals, Budget, Coincident, ComponentReport, CreaseEnd,
     CurvatureContinuity, Discretization, Edit, Frame, InnerFairness, InteriorNormals, Intersections,

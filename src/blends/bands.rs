@@ -6,7 +6,7 @@ use super::crease_graph::Chain;
 use super::cut::Cut;
 use super::face_normals::FaceNormals;
 use super::rails::Rails;
-use super::rounded::{CreaseChain, Rounded};
+use super::rounded::{CreaseChain, Narrowing, Rounded, SharpCorner};
 use super::surface::Surface;
 use crate::fairing::{BoundaryNormals, Coincident, Options, Report, Selection, Solution, fair};
 use crate::holes::{Parents, RemeshOptions, compose, remesh_to_lengths};
@@ -33,6 +33,7 @@ pub(super) struct Bands {
     lengths: Vec<f64>,
     angle: f64,
     chains: Vec<CreaseChain>,
+    sharp_corners: Vec<SharpCorner>,
 }
 
 impl Bands {
@@ -49,6 +50,10 @@ impl Bands {
         let rails = Rails::new(cut, &band);
         let normal = |v: u32| Some((v, rails.normal(v, cut, normals)?.into()));
         let all = 0..count as u32;
+        let sharp = |&(vertex, place): &(u32, Vector3<f64>)| SharpCorner {
+            vertex,
+            place: (place + normals.surface.centre).into(),
+        };
         let is_given = |v: u32| (v as usize) < normals.surface.x.len() && !is_free(&v);
         Self {
             positions: sheet.x.iter().map(|&p| p.into()).collect(),
@@ -68,8 +73,10 @@ impl Bands {
                 .graph
                 .chains
                 .iter()
-                .map(|chain| told(chain, normals.surface))
+                .zip(&cut.level.least)
+                .map(|(chain, &least)| told(chain, least, normals.surface))
                 .collect(),
+            sharp_corners: normals.graph.sharp_corners.iter().map(sharp).collect(),
         }
     }
 
@@ -204,6 +211,7 @@ impl Bands {
             free: self.free,
             angle: self.angle,
             chains: self.chains,
+            sharp_corners: self.sharp_corners,
             report,
         }
     }
@@ -212,7 +220,10 @@ impl Bands {
 /// Times that bands are triangulated once more.
 const AGAIN: usize = 2;
 
-fn told(chain: &Chain, surface: &Surface<'_>) -> CreaseChain {
+/// Bands at least this part of the width asked count as that wide.
+const NARROW: f64 = 0.99;
+
+fn told(chain: &Chain, (part, at): (f64, Vector3<f64>), surface: &Surface<'_>) -> CreaseChain {
     let first = chain.half_edges.iter().take(1).map(|&h| surface.origin(h));
     CreaseChain {
         vertices: first
@@ -220,5 +231,10 @@ fn told(chain: &Chain, surface: &Surface<'_>) -> CreaseChain {
             .collect(),
         bend: chain.bend,
         is_rounded: chain.is_chosen,
+        narrowed: (chain.is_chosen && part < NARROW).then(|| Narrowing {
+            part,
+            place: (at + surface.centre).into(),
+        }),
+        unsolved: chain.unsolved.map(|place| (place + surface.centre).into()),
     }
 }

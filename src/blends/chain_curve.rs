@@ -173,17 +173,9 @@ impl ChainCurve {
         values[self.number(i)] * (1.0 - t) + values[self.number(i + 1)] * t
     }
 
-    /// How far a point is along the chain from its nearer end, which counts as such.
-    pub(super) fn along(&self, i: usize, ends: [bool; 2]) -> f64 {
-        let to = [i, self.points.len() - 1 - i];
-        let of = |k: usize| {
-            if ends[k] {
-                to[k] as f64 * self.spacing
-            } else {
-                f64::INFINITY
-            }
-        };
-        of(0).min(of(1))
+    /// How far a point is along the chain from its beginning and from its end.
+    pub(super) fn to_ends(&self, i: usize) -> [f64; 2] {
+        [i, self.points.len() - 1 - i].map(|steps| steps as f64 * self.spacing)
     }
 }
 

@@ -19,8 +19,8 @@ pub(super) fn corners(surface: &Surface<'_>, graph: &CreaseGraph) -> (Vec<Corner
     let mut corners = Vec::new();
     let mut angles = vec![[std::f64::consts::PI; 2]; 2 * graph.chains.len()];
     let all = 0..surface.half_edges();
-    for h in all.filter(|&h| side[h as usize] != NONE) {
-        let Some((other, angle)) = next_crease(surface, &side, h) else {
+    for h in all.filter(|&h| side[h as usize] != NONE && !graph.is_sharp(surface.origin(h))) {
+        let Some((other, angle)) = next_crease(surface, &|h| side[h as usize] != NONE, h) else {
             continue;
         };
         let [a, b] = [side[h as usize], side[other as usize]];
@@ -64,12 +64,16 @@ fn sides(surface: &Surface<'_>, graph: &CreaseGraph) -> Vec<u32> {
 }
 
 /// From a crease over the face on its left to the next one that arrives at its first vertex, and the angle between them.
-fn next_crease(surface: &Surface<'_>, side: &[u32], h: u32) -> Option<(u32, f64)> {
+pub(super) fn next_crease(
+    surface: &Surface<'_>,
+    is_crease: &dyn Fn(u32) -> bool,
+    h: u32,
+) -> Option<(u32, f64)> {
     let (mut g, mut angle) = (h, 0.0);
     loop {
         angle += surface.angle(g);
         let arrives = previous(g);
-        if side[arrives as usize] != NONE {
+        if is_crease(arrives) {
             return Some((arrives, angle));
         }
         g = surface.across(arrives).filter(|&g| g != h)?;

@@ -17,6 +17,8 @@ pub(super) struct CreaseGraph {
     /// Per triangle the face it belongs to.
     pub(super) faces: Vec<u32>,
     pub(super) chains: Vec<Chain>,
+    /// Corners that stay sharp, and the place for which they do.
+    pub(super) sharp_corners: Vec<(u32, Vector3<f64>)>,
     /// Edges that bend by more than so many degrees are creases.
     pub(super) least: f64,
     /// Unit normals of triangles, of those without area that of a neighbour.
@@ -33,6 +35,8 @@ pub(super) struct Chain {
     pub(super) bend: f64,
     /// Whether it is to be rounded.
     pub(super) is_chosen: bool,
+    /// Where no sound blend was found, if it was to be rounded.
+    pub(super) unsolved: Option<Vector3<f64>>,
 }
 
 impl Chain {
@@ -105,6 +109,7 @@ impl CreaseGraph {
         Self {
             faces,
             chains,
+            sharp_corners: Vec::new(),
             least,
             normals,
         }
@@ -116,6 +121,11 @@ impl CreaseGraph {
     pub(super) fn beside(&self, chain: &Chain, surface: &Surface<'_>) -> [u32; 2] {
         let h = chain.half_edges[0];
         [h, surface.across(h).unwrap_or(h)].map(|g| self.faces[g as usize / 3])
+    }
+
+    /// Whether a corner stays sharp.
+    pub(super) fn is_sharp(&self, v: u32) -> bool {
+        self.sharp_corners.iter().any(|of| of.0 == v)
     }
 
     /// How far the surface bends at an edge, radians.
@@ -202,6 +212,7 @@ fn chains(
         chains.push(Chain {
             bend: half_edges.iter().map(sum).sum::<f64>() / length,
             is_chosen: is_chosen(first),
+            unsolved: None,
             half_edges,
             is_closed,
         });

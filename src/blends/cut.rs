@@ -8,6 +8,12 @@ use crate::mesh::NONE;
 const STEPS: usize = 4;
 /// Vertices are on the rail if they are so near it, of the length wanted there.
 const ON: f64 = 1e-3;
+/// Vertices that are so near to a rail, of the length wanted there, move onto it.
+const SNAP: f64 = 0.3;
+/// They leave the surface by at most this, of the length wanted there.
+const STAYS: f64 = 1e-6;
+/// Triangles get no smaller than this part of what they were.
+const SHRINKS: f64 = 0.2;
 /// Distances that differ by less, relative, are the same.
 const SAME: f64 = 1e-9;
 
@@ -182,8 +188,9 @@ impl<'a> Cut<'a> {
         known.filter(is_here).copied().collect()
     }
 
-    /// Splits all edges that cross a rail where they do. Afterwards no triangle has vertices on both sides.
-    pub(super) fn cut(&mut self) {
+    /// Splits all edges that cross a rail where they do, but moves vertices that are near it there, if they are none of the first `given`. Afterwards no
+    /// triangle has vertices on both sides.
+    pub(super) fn cut(&mut self, given: usize) {
         for v in 0..self.value.len() {
             if self
                 .wanted(v as u32)
@@ -192,13 +199,10 @@ impl<'a> Cut<'a> {
                 self.value[v] = 0.0;
             }
         }
+        self.slide(given);
         let mut t = 0;
         while t < self.sheet.triangles.len() as u32 {
-            let crosses = |h: &u32| {
-                let [a, b] = [self.sheet.origin(*h), self.sheet.target(*h)].map(|v| self.value[v as usize]);
-                a * b < 0.0
-            };
-            match (3 * t..3 * t + 3).find(crosses) {
+            match (3 * t..3 * t + 3).find(|&h| self.crosses(h)) {
                 Some(h) => self.cross(h),
                 None => t += 1,
             }
@@ -209,8 +213,64 @@ impl<'a> Cut<'a> {
         self.is_band = self.sheet.triangles.iter().map(is_inside).collect();
     }
 
+    fn crosses(&self, h: u32) -> bool {
+        let [a, b] = [self.sheet.origin(h), self.sheet.target(h)].map(|v| self.value[v as usize]);
+        a * b < 0.0
+    }
+
+    /// Moves vertices near rails onto them, along edges.
+    fn slide(&mut self, given: usize) {
+        let mut outgoing = vec![NONE; self.sheet.x.len()];
+        (0..3 * self.sheet.triangles.len() as u32).for_each(|h| outgoing[self.sheet.origin(h) as usize] = h);
+        for &h in &outgoing[given..] {
+            let Some(wanted) = self.wanted(self.sheet.origin(h)) else {
+                continue;
+            };
+            let mut ways = Vec::new();
+            self.sheet.fan(h, |g| {
+                if self.crosses(g) {
+                    let t = self.crossing(g);
+                    ways.push((t * self.sheet.squared_length(g).sqrt(), g, t));
+                }
+            });
+            ways.retain(|way| way.0 < SNAP * wanted);
+            ways.sort_by(|a, b| a.0.total_cmp(&b.0));
+            if let Some(&(_, g, t)) = ways.iter().find(|way| self.can_slide(way.1, way.2, wanted)) {
+                let v = self.sheet.origin(g);
+                self.sheet.slide(g, t);
+                let known = std::mem::take(&mut self.near[v as usize]);
+                let mut near = Vec::new();
+                self.level.value_at(&self.sheet.x[v as usize], &known, &mut near);
+                self.near[v as usize] = near;
+                self.value[v as usize] = 0.0;
+            }
+        }
+    }
+
+    /// Whether the surface stays where it is if the first vertex of `h` moves along `h`.
+    fn can_slide(&self, h: u32, t: f64, wanted: f64) -> bool {
+        let [a, b] = [self.sheet.origin(h), self.sheet.target(h)];
+        let (from, to) = (self.sheet.x[a as usize], self.sheet.x[b as usize]);
+        let by = (to - from) * t;
+        let mut stays = true;
+        let is_closed = self.sheet.fan(h, |g| {
+            let [before, after] = [from, from + by].map(|x| self.sheet.cross(g / 3, a, &x));
+            let size = before.norm();
+            stays &=
+                by.dot(&before).abs() <= STAYS * wanted * size && before.dot(&after) > SHRINKS * size * size;
+        });
+        stays && is_closed
+    }
+
     /// Splits an edge where it crosses a rail.
     fn cross(&mut self, h: u32) {
+        let t = self.crossing(h);
+        let m = self.split(h, t);
+        self.value[m as usize] = 0.0;
+    }
+
+    /// Which fraction of the way along an edge a rail is.
+    fn crossing(&self, h: u32) -> f64 {
         let [a, b] = [self.sheet.origin(h), self.sheet.target(h)];
         let [mut low, mut high] = [(0.0, self.value[a as usize]), (1.0, self.value[b as usize])];
         let (p, q) = (self.sheet.x[a as usize], self.sheet.x[b as usize]);
@@ -229,7 +289,6 @@ impl<'a> Cut<'a> {
                 high = (t, value);
             }
         }
-        let m = self.split(h, crossing(low, high));
-        self.value[m as usize] = 0.0;
+        crossing(low, high)
     }
 }

@@ -46,6 +46,8 @@ pub(super) struct Level {
     pub(super) sides: Vec<Side>,
     /// Sorted by their sides.
     pub(super) corners: Vec<Corner>,
+    /// Per curve the least part of the width asked, and where that is.
+    pub(super) least: Vec<(f64, Vector3<f64>)>,
 }
 
 impl Level {
@@ -70,6 +72,9 @@ impl Level {
             for b in &entries[i + 1..] {
                 if let Some(radius) = self.radius(a.side, b.side) {
                     let radius = radius * (a.distance - a.excess).min(b.distance - b.excess);
+                    if radius <= 0.0 {
+                        continue;
+                    }
                     let [s, t] = [a, b].map(|e| (1.0 - e.excess / radius).max(0.0));
                     value = value.min(radius * (1.0 - (s * s + t * t).sqrt()));
                 }

@@ -15,8 +15,9 @@ mod rounded;
 mod sheet;
 mod surface;
 mod tidy;
+mod unsolved;
 mod widths;
 
 pub use options::{Creases, RoundOptions};
 pub use round::round;
-pub use rounded::{CreaseChain, Rounded};
+pub use rounded::{CreaseChain, Narrowing, Rounded, SharpCorner};

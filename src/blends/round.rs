@@ -14,6 +14,7 @@ use super::rounded::Rounded;
 use super::sheet::Sheet;
 use super::surface::Surface;
 use super::tidy::tidy;
+use super::unsolved::give_up;
 use super::widths::Widths;
 use crate::mesh::Joined;
 use crate::mesh::halfedge::next;
@@ -45,23 +46,42 @@ pub fn round(
     options.validate()?;
     let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
     let surface = Surface::new(positions, &joined.triangles)?;
-    let graph = CreaseGraph::new(&surface, options);
+    let mut graph = CreaseGraph::new(&surface, options);
     check_size(&surface, &graph, options)?;
-    let level = level(&surface, &graph, options);
+    let mut given_up = 0;
+    loop {
+        let level = level(&surface, &graph, options);
+        let rounded = blended(positions, &joined.triangles, &surface, &graph, &level, options)?;
+        if given_up == GIVEN_UP || !give_up(&mut graph, &surface, &level, &rounded) {
+            return Ok(rounded);
+        }
+        given_up += 1;
+    }
+}
+
+/// Times that what is not sound stays sharp, and the rest is done again.
+const GIVEN_UP: usize = 4;
+
+/// Bands along the creases chosen are cut out and faired.
+fn blended(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    surface: &Surface<'_>,
+    graph: &CreaseGraph,
+    level: &Level,
+    options: &RoundOptions,
+) -> Result<Rounded, Error> {
     let sheet = Sheet::new(
         surface.x.clone(),
-        joined.triangles.to_vec(),
+        triangles.to_vec(),
         surface.links.opposite.clone(),
     );
-    let mut cut = Cut::new(sheet, &level, &graph.faces);
-    seed(&mut cut, &surface, &graph);
+    let mut cut = Cut::new(sheet, level, &graph.faces);
+    seed(&mut cut, surface, graph);
     cut.spread();
-    cut.cut();
+    cut.cut(positions.len());
     tidy(&mut cut, positions.len());
-    let normals = FaceNormals {
-        surface: &surface,
-        graph: &graph,
-    };
+    let normals = FaceNormals { surface, graph };
     Bands::new(&cut, &normals).fair(positions, &surface.centre, &options.fairing)
 }
 
@@ -94,7 +114,9 @@ fn level(surface: &Surface<'_>, graph: &CreaseGraph, options: &RoundOptions) -> 
     let curves: Vec<ChainCurve> = graph.chains.iter().map(curve).collect();
     let (corners, angles) = corners(surface, graph);
     let mut widths = Widths::asked(&curves, options);
+    let asked = widths.clone();
     widths.fit(surface, graph, &curves, &angles);
+    let least = widths.least(&asked, &curves);
     widths.fade(surface, graph, &curves);
     let mut sides = Vec::new();
     for ((number, chain), widths) in (0..).zip(&graph.chains).zip(widths.0) {
@@ -110,6 +132,7 @@ fn level(surface: &Surface<'_>, graph: &CreaseGraph, options: &RoundOptions) -> 
         curves,
         sides,
         corners,
+        least,
     }
 }
 

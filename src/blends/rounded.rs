@@ -22,8 +22,27 @@ pub struct Rounded {
     pub angle: f64,
     /// The creases of the mesh given.
     pub chains: Vec<CreaseChain>,
+    /// Corners that stay sharp, as no sound blend was found there: blends fade out towards them.
+    pub sharp_corners: Vec<SharpCorner>,
     /// How the blends were faired.
     pub report: Report,
+}
+
+impl Rounded {
+    /// Whether all that was asked to be rounded is, and the blends are fair.
+    pub fn is_complete(&self) -> bool {
+        let is_left = self.chains.iter().any(|chain| chain.unsolved.is_some());
+        self.report.outcome.is_success() && !is_left && self.sharp_corners.is_empty()
+    }
+}
+
+/// A corner that stays sharp.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SharpCorner {
+    /// The vertex of the mesh given.
+    pub vertex: u32,
+    /// The worst place of what was tried.
+    pub place: [f64; 3],
 }
 
 /// A crease from one corner or end to the next.
@@ -35,4 +54,17 @@ pub struct CreaseChain {
     pub bend: f64,
     /// Whether it was rounded.
     pub is_rounded: bool,
+    /// Where there is less room than was asked for, at the narrowest place.
+    pub narrowed: Option<Narrowing>,
+    /// Where the worst of what was tried is, if it stays sharp as no sound blend was found.
+    pub unsolved: Option<[f64; 3]>,
+}
+
+/// A blend is narrower than asked.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Narrowing {
+    /// The least part of the width asked.
+    pub part: f64,
+    /// Where that is, on the crease.
+    pub place: [f64; 3],
 }

@@ -133,12 +133,14 @@ impl Sheet {
         found
     }
 
-    /// Turns an edge to the other two corners of its triangles, if these have none yet.
-    pub(super) fn flip(&mut self, h: u32) {
+    /// Turns an edge to the other two corners of its triangles; false if these have one already.
+    pub(super) fn flip(&mut self, h: u32) -> bool {
         let opposite_corner = self.origin(previous(self.across(h)));
-        if !self.are_neighbours(previous(h), opposite_corner) {
+        let can_be = !self.are_neighbours(previous(h), opposite_corner);
+        if can_be {
             half_edge_edits::flip(&mut self.triangles, &mut self.opposite, h);
         }
+        can_be
     }
 
     /// Moves the vertex where `h` starts onto that where it ends.
@@ -146,6 +148,13 @@ impl Sheet {
         let mut outgoing = Vec::new();
         self.fan(h, |g| outgoing.push(g));
         half_edge_edits::collapse(&mut self.triangles, &mut self.opposite, h, &outgoing);
+    }
+
+    /// Moves the vertex where `h` starts by a fraction of the way along `h`.
+    pub(super) fn slide(&mut self, h: u32, t: f64) {
+        let [a, b] = [self.origin(h), self.target(h)].map(|v| v as usize);
+        self.x[a] = self.x[a] + (self.x[b] - self.x[a]) * t;
+        self.parents[a] = between(&self.parents[a], &self.parents[b], t);
     }
 
     fn link(&mut self, g: u32, h: u32) {

@@ -15,6 +15,8 @@ const MOVES: f64 = 1e-2;
 const STAYS: f64 = 1e-9;
 /// Times that all edges are looked at.
 const ROUNDS: usize = 4;
+/// Edges turned for the sake of one short edge.
+const TURNS: usize = 12;
 /// Triangles do not get thinner than this, height over length.
 const SHARP: f64 = 0.02;
 /// Edges beside triangles thinner than this are turned.
@@ -103,13 +105,65 @@ fn shorten_rails(cut: &mut Cut<'_>) {
         if cut.sheet.squared_length(h) > (SHORT * wanted).powi(2) {
             continue;
         }
-        let o = cut.sheet.across(h);
-        let ways = [h, o].map(|g| (moves(cut, g, NEEDLE), g));
-        let way = if ways[0].0 <= ways[1].0 { ways[0] } else { ways[1] };
-        if way.0 <= MOVES * wanted {
-            cut.sheet.collapse(way.1);
+        let mut ways = [h, cut.sheet.across(h)];
+        for turned in 0..=TURNS {
+            let all = ways.map(|g| (moves(cut, g, NEEDLE), g));
+            let way = if all[0].0 <= all[1].0 { all[0] } else { all[1] };
+            if way.0 <= MOVES * wanted {
+                cut.sheet.collapse(way.1);
+                break;
+            }
+            if turned == TURNS {
+                break;
+            }
+            let Some(h) = ways.iter().find_map(|&g| turn_away(cut, g, wanted)) else {
+                break;
+            };
+            ways = [h, cut.sheet.across(h)];
         }
     }
+}
+
+/// Turns one edge that ends where `h` starts, so that fewer triangles are there: `h` as it is called then. None if none can be turned.
+fn turn_away(cut: &mut Cut<'_>, h: u32, wanted: f64) -> Option<u32> {
+    let [a, b] = [cut.sheet.origin(h), cut.sheet.target(h)];
+    let mut found = None;
+    cut.sheet.fan(h, |g| {
+        if g != h && found.is_none() && can_turn(cut, g, wanted) {
+            found = Some(g);
+        }
+    });
+    let g = found?;
+    let beside = [g / 3, cut.sheet.across(g) / 3];
+    if !cut.sheet.flip(g) {
+        return None;
+    }
+    let around = beside.into_iter().flat_map(|t| 3 * t..3 * t + 3);
+    let first = { around }.find(|&g| cut.sheet.origin(g) == a)?;
+    let mut same = None;
+    cut.sheet.fan(first, |g| {
+        if cut.sheet.target(g) == b {
+            same = Some(g);
+        }
+    });
+    same
+}
+
+/// Whether the two triangles at an edge lie in one plane, inside one band or outside of it, and are a convex quadrangle.
+fn can_turn(cut: &Cut<'_>, h: u32, wanted: f64) -> bool {
+    let (sheet, o) = (&cut.sheet, cut.sheet.across(h));
+    if o == NONE || stays(cut, h / 3) != stays(cut, o / 3) || cut.face(h / 3) != cut.face(o / 3) {
+        return false;
+    }
+    let [a, b, c, d] = [h, o, previous(h), previous(o)].map(|g| sheet.x[sheet.origin(g) as usize]);
+    let cross = |p: Vector3<f64>, q: Vector3<f64>, r: Vector3<f64>| (q - p).cross(&(r - p));
+    let normal = cross(a, b, c) + cross(b, a, d);
+    let size = normal.norm();
+    let off = (c - a).dot(&normal).abs().max((d - a).dot(&normal).abs());
+    let is_right =
+        |s: Vector3<f64>, long: f64| s.dot(&normal) > TILTED * s.norm() * size && s.norm() > NEEDLE * long;
+    let long = (d - c).norm_squared();
+    off <= 1e-6 * wanted * size && is_right(cross(c, a, d), long) && is_right(cross(d, b, c), long)
 }
 
 /// How far the faces that stay would move if the origin of `h` moved to its target; infinity: that cannot be.

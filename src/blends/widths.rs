@@ -22,10 +22,12 @@ const LEAST: f64 = 0.1;
 const AHEAD: f64 = 0.4;
 /// Widths change by at most so much per length.
 const SLOPE: f64 = 0.25;
-/// Over so many widths a band fades out where its crease ends.
-const FADE: f64 = 2.0;
 
-/// Per chain and point of its curve.
+/// A band that fades out ends so many widths before its crease does, as bands of one corner have no normal in common.
+const BEFORE: f64 = 0.25;
+
+/// Per chain and point of its curve; negative where a band has ended.
+#[derive(Clone)]
 pub(super) struct Widths(pub(super) Vec<Vec<f64>>);
 
 /// A point of a curve: the chain, and its number there.
@@ -123,13 +125,28 @@ impl Widths {
         }
     }
 
+    /// Per curve the least part of the width asked, and where that is.
+    pub(super) fn least(&self, asked: &Self, curves: &[ChainCurve]) -> Vec<(f64, Vector3<f64>)> {
+        let of = |((widths, asked), curve): ((&Vec<f64>, &Vec<f64>), &ChainCurve)| {
+            let parts = widths.iter().zip(asked).map(|(width, asked)| width / asked);
+            let all = parts.zip(&curve.points).map(|(part, &p)| (part, p));
+            all.min_by(|a, b| a.0.total_cmp(&b.0))
+                .unwrap_or((1.0, Vector3::zeros()))
+        };
+        self.0.iter().zip(&asked.0).zip(curves).map(of).collect()
+    }
+
     /// Lets bands end where their creases do.
     pub(super) fn fade(&mut self, surface: &Surface<'_>, graph: &CreaseGraph, curves: &[ChainCurve]) {
         let ends = Ends::new(surface, graph);
         for ((widths, chain), curve) in self.0.iter_mut().zip(&graph.chains).zip(curves) {
-            let fades = ends.fade(chain, surface);
+            let slopes = ends.slopes(chain);
+            let begins = [0, widths.len() - 1].map(|i| BEFORE * widths[i]);
             for (i, width) in widths.iter_mut().enumerate() {
-                *width *= (curve.along(i, fades) / (FADE * *width).max(f64::MIN_POSITIVE)).min(1.0);
+                let from = curve.to_ends(i);
+                let grown = |k: usize, slope: f64| slope * (from[k] - begins[k]);
+                let least = |k: usize| slopes[k].map_or(f64::INFINITY, |slope| grown(k, slope));
+                *width = width.min(least(0)).min(least(1));
             }
         }
     }

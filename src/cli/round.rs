@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{ArgGroup, Args, ValueEnum};
-use fairmesh::{Creases, Options, OutputPrecision, RoundOptions, Rounded, round};
+use fairmesh::{Creases, Narrowing, Options, OutputPrecision, RoundOptions, Rounded, round};
 use serde_json::{Value, json};
 
 use crate::answer::Answer;
@@ -113,7 +113,7 @@ pub fn run(args: &RoundArgs) -> Result<bool, Failure> {
     .map_err(|error| refusal(args, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();
     output.write(&plain(format, &rounded.positions, &rounded.triangles))?;
-    let is_good = rounded.report.outcome.is_success();
+    let is_good = rounded.is_complete();
     if let Some(pictures) = &pictures {
         let after = MeshSide {
             positions: &rounded.positions,
@@ -124,10 +124,15 @@ pub fn run(args: &RoundArgs) -> Result<bool, Failure> {
     }
     let total = start.elapsed().as_secs_f64();
     let json = || {
-        let chains = rounded.chains.iter().map(
-            |chain| json!({ "vertices": chain.vertices, "bend": chain.bend, "rounded": chain.is_rounded }),
-        );
-        json!({ "angle": rounded.angle, "chains": chains.collect::<Vec<Value>>(), "fairing": fairing(&rounded.report),
+        let narrowed = |of: &Narrowing| json!({ "part": of.part, "place": of.place });
+        let chains = rounded.chains.iter().map(|chain| {
+            json!({ "vertices": chain.vertices, "bend": chain.bend, "rounded": chain.is_rounded,
+                "narrowed": chain.narrowed.as_ref().map(narrowed), "unsolved": chain.unsolved })
+        });
+        let corners = rounded.sharp_corners.iter();
+        let corners = corners.map(|of| json!({ "vertex": of.vertex, "place": of.place }));
+        json!({ "angle": rounded.angle, "chains": chains.collect::<Vec<Value>>(),
+            "sharp_corners": corners.collect::<Vec<Value>>(), "fairing": fairing(&rounded.report),
             "turned_faces": turned, "kept_vertices": rounded.kept_vertices.len(), "new_vertices": rounded.parents.len(),
             "new_triangles": rounded.triangles.len() - rounded.kept_triangles.len(),
             "seconds": { "solve": solve, "total": total } })
@@ -187,5 +192,41 @@ fn readable(rounded: &Rounded) -> String {
         rounded.triangles.len() - rounded.kept_triangles.len(),
         rounded.report.iterations
     );
+    let corners: Vec<[f64; 3]> = rounded.sharp_corners.iter().map(|of| of.place).collect();
+    let unsolved: Vec<[f64; 3]> = rounded.chains.iter().filter_map(|of| of.unsolved).collect();
+    for (what, all) in [("corners", corners), ("creases", unsolved)] {
+        if !all.is_empty() {
+            let _ = writeln!(
+                text,
+                "{} {what} stay sharp, as no sound blend was found: at {}",
+                all.len(),
+                places(&all)
+            );
+        }
+    }
+    let narrowed: Vec<&Narrowing> = rounded
+        .chains
+        .iter()
+        .filter_map(|of| of.narrowed.as_ref())
+        .collect();
+    let least = narrowed.iter().min_by(|a, b| a.part.total_cmp(&b.part));
+    if let Some(least) = least {
+        let _ = writeln!(
+            text,
+            "{} creases have less room than asked for, the least {} of the width at {}",
+            narrowed.len(),
+            significant(least.part),
+            places(&[least.place])
+        );
+    }
     text
+}
+
+/// The first few places, for people.
+fn places(all: &[[f64; 3]]) -> String {
+    const MOST: usize = 3;
+    let place = |p: &[f64; 3]| format!("({})", p.map(significant).join(", "));
+    let told: Vec<String> = all.iter().take(MOST).map(place).collect();
+    let more = if all.len() > MOST { ", ..." } else { "" };
+    told.join(", ") + more
 }
