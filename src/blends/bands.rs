@@ -6,14 +6,17 @@ use super::crease_graph::Chain;
 use super::cut::Cut;
 use super::face_normals::FaceNormals;
 use super::rails::Rails;
+use super::resolution::lengths;
 use super::rounded::{CreaseChain, Narrowing, Rounded, SharpCorner};
+use super::stopped::tell;
 use super::surface::Surface;
 use crate::fairing::{BoundaryNormals, Coincident, Options, Report, Selection, Solution, fair};
-use crate::holes::{Parents, RemeshOptions, compose, remesh_to_lengths};
+use crate::holes::{Lengths, Parents, RemeshOptions, compose, remesh_to_lengths};
 use crate::mesh::NONE;
 use crate::support::error::Error;
 
 /// The mesh with bands that are cut out.
+#[derive(Clone)]
 pub(super) struct Bands {
     positions: Vec<[f64; 3]>,
     /// The vertices of the mesh given that they are; [`NONE`] of others, and of those that move.
@@ -80,8 +83,8 @@ impl Bands {
         }
     }
 
-    /// Triangulates the bands anew and fairs them; where that leads to no sound surface once more, from the surface that it has led to: that is smooth
-    /// already, and vertices are spread over it evenly.
+    /// Triangulates the bands anew and fairs them; where that leads to no sound surface, or to one that bends much from triangle to triangle, once
+    /// more, from the surface that it has led to: that is smooth already, vertices are spread over it evenly, and it tells how fine it is to be.
     ///
     /// # Errors
     /// Those of [`fair`].
@@ -91,29 +94,49 @@ impl Bands {
         centre: &Vector3<f64>,
         options: &Options,
     ) -> Result<Rounded, Error> {
-        let mut bands = self.remeshed(given.len())?;
+        let mut bands = self.remeshed(given.len(), None)?;
         let mut solution = bands.solve(options)?;
         for _ in 0..AGAIN {
-            if solution.report.outcome.is_success() {
+            let is_good = solution.report.outcome.is_success();
+            // A surface that is not sound bends anyhow.
+            let finer = match is_good {
+                true => lengths(&solution.positions, &bands.triangles, bands.sources.len()),
+                false => None,
+            };
+            if is_good && finer.is_none() {
                 break;
             }
-            bands.positions.clone_from(&solution.positions);
-            bands = bands.remeshed(given.len())?;
-            solution = bands.solve(options)?;
+            let smooth = Self {
+                positions: solution.positions.clone(),
+                ..bands.clone()
+            };
+            let next = smooth.remeshed(given.len(), finer.as_deref())?;
+            // What cannot be triangulated once more stays as it is.
+            match next.solve(options) {
+                Ok(found) if !is_good || found.report.outcome.is_success() => {
+                    (bands, solution) = (next, found)
+                }
+                _ => break,
+            }
         }
         bands.positions = solution.positions;
+        let (faces, report) = (bands.sources.len(), &mut solution.report);
+        tell(report, &bands.creases, &bands.positions, &bands.triangles, faces);
         Ok(bands.assemble(given, centre, solution.report))
     }
 
-    /// With a new triangulation of the bands; the mesh given has so many vertices.
-    fn remeshed(self, given: usize) -> Result<Self, Error> {
+    /// With a new triangulation of the bands, edges no longer than these where vertices are free; the mesh given has so many vertices.
+    fn remeshed(self, given: usize, finer: Option<&[f64]>) -> Result<Self, Error> {
         let options = RemeshOptions {
             coincident: Coincident::Separate,
             ..RemeshOptions::default()
         };
-        let length = |v: u32| self.lengths[v as usize];
+        let lengths = Lengths {
+            along: &|v| self.lengths[v as usize],
+            inside: &|v| finer.map_or(f64::INFINITY, |of| of[v as usize]),
+        };
         let selection = Selection::Vertices(&self.free);
-        let mesh = remesh_to_lengths(&self.positions, &self.triangles, selection, &options, &length)?;
+        let mesh = remesh_to_lengths(&self.positions, &self.triangles, selection, &options, lengths)?;
         // Numbers of bands stand behind those of the mesh given.
         let mut parents = self.parents;
         let made = parents.len();

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::crease_ends::connect;
 use super::options::RoundOptions;
 use super::surface::{Surface, between};
 use crate::mesh::disjoint_sets::DisjointSets;
@@ -91,8 +92,13 @@ impl CreaseGraph {
         };
         let edges = EdgeSet::new(&options.edges);
         let is_named = |h: u32| edges.has(surface.origin(h), surface.target(h));
-        let is_crease =
+        let bends_enough =
             |h: u32| bends[h as usize].abs() > least || surface.across(h).is_some() && is_named(h);
+        let mut creased: Vec<bool> = (0..surface.half_edges()).map(bends_enough).collect();
+        if options.angle == 0.0 {
+            connect(surface, &bends, least, &mut creased);
+        }
+        let is_crease = |h: u32| creased[h as usize];
         let is_chosen =
             |h: u32| options.creases.has(bends[h as usize]) && (options.edges.is_empty() || is_named(h));
         let mut sets = DisjointSets::new(normals.len());

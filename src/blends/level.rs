@@ -4,10 +4,11 @@ use nalgebra::Vector3;
 
 use super::chain_curve::ChainCurve;
 
-/// Edges across a blend.
+/// Edges across a blend, at least; and by how much it turns at each at most, in radians.
 const PARTS: f64 = 6.0;
+const TURN: f64 = 0.26;
 /// Widths below this part of the largest of a side count as that: towards an end they vanish.
-const LEAST: f64 = 0.3;
+const LEAST: f64 = 0.1;
 
 /// One side of a chain: a band on one face.
 pub(super) struct Side {
@@ -105,7 +106,7 @@ impl Level {
         let curve = &self.curves[side.curve as usize];
         let width = (entry.distance - entry.excess).max(LEAST * side.widest);
         let bend = curve.between(&curve.bends, entry.at);
-        width * bend / libm::tan(0.5 * bend) / PARTS
+        width * bend / libm::tan(0.5 * bend) / PARTS.max(bend / TURN)
     }
 
     fn radius(&self, a: u32, b: u32) -> Option<f64> {

@@ -72,7 +72,7 @@ pub use outcome::{FillOutcome, FlatReason, LoopReport, OpenReason};
 pub use parents::Parents;
 pub(crate) use parents::{compose, nearest_on};
 pub use refill::{refill_region, refill_region_with_progress};
-pub(crate) use remesh::remesh_to_lengths;
+pub(crate) use remesh::{Lengths, remesh_to_lengths};
 pub use remesh::{RemeshOptions, Remeshed, remesh_region, remesh_region_with_progress};
 pub use rim::{Rim, RimReport, Roughness, rim_roughness};
 pub(crate) use tree_triangle::Placed;

@@ -30,6 +30,8 @@ pub(super) struct Patch {
     pub(super) size: Vec<f64>,
     /// An upper bound of the edge length beside short edges of the boundary.
     pub(super) limit: Vec<f64>,
+    /// Per vertex what its own surface asks for: limits are at most this.
+    pub(super) own: Vec<f64>,
     /// Per boundary vertex the least length of edges there, one that is rather long, and the largest.
     pub(super) range: Vec<[f64; 3]>,
     /// Distance to the boundary along edges.
@@ -55,6 +57,7 @@ impl Patch {
             old: vec![NONE; x.len()],
             size: vec![0.0; x.len()],
             limit: vec![f64::INFINITY; x.len()],
+            own: vec![f64::INFINITY; x.len()],
             range: vec![[0.0, f64::INFINITY, f64::INFINITY]; fixed],
             depth: vec![0.0; x.len()],
             opposite: vec![NONE; 3 * triangles.len()],
@@ -247,6 +250,7 @@ impl Patch {
         self.depth.push(self.depth[i].min(self.depth[j]) + half);
         let limit = self.limit[i].min(self.limit[j]) + GRADE * half;
         self.limit.push(limit);
+        self.own.push(0.5 * (self.own[i] + self.own[j]));
         self.old.push(NONE);
         self.out.push(NONE);
         self.x.len() as u32 - 1
@@ -348,6 +352,7 @@ impl Patch {
         filter(&mut self.old, &keep);
         filter(&mut self.size, &keep);
         filter(&mut self.limit, &keep);
+        filter(&mut self.own, &keep);
         filter(&mut self.depth, &keep);
         self.triangles.retain(|t| t[0] != NONE);
         self.triangles

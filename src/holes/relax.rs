@@ -120,7 +120,7 @@ impl Sweeps {
             let [size, count, limit, depth] = self.size[v];
             if count > 0.0 {
                 patch.size[v] = size / count;
-                patch.limit[v] = limit;
+                patch.limit[v] = limit.min(patch.own[v]);
                 patch.depth[v] = depth;
             }
         }

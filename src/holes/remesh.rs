@@ -103,7 +103,16 @@ pub fn remesh_region(
     remesh(positions, triangles, selection, options, None, &mut |_| ())
 }
 
-/// [`remesh_region`] with the edge lengths wanted at the boundary in place of those of the surroundings.
+/// The edge lengths that are wanted.
+#[derive(Clone, Copy)]
+pub(crate) struct Lengths<'a> {
+    /// At the boundary, in place of those of the surroundings.
+    pub(crate) along: &'a dyn Fn(u32) -> f64,
+    /// At most, at free vertices.
+    pub(crate) inside: &'a dyn Fn(u32) -> f64,
+}
+
+/// [`remesh_region`] to other edge lengths than those of the surroundings.
 ///
 /// # Errors
 /// Those of [`remesh_region`].
@@ -112,14 +121,14 @@ pub(crate) fn remesh_to_lengths(
     triangles: &[[u32; 3]],
     selection: Selection<'_>,
     options: &RemeshOptions,
-    length: &dyn Fn(u32) -> f64,
+    lengths: Lengths<'_>,
 ) -> Result<Remeshed, Error> {
     remesh(
         positions,
         triangles,
         selection,
         options,
-        Some(length),
+        Some(lengths),
         &mut |_| (),
     )
 }
@@ -146,7 +155,7 @@ fn remesh(
     triangles: &[[u32; 3]],
     selection: Selection<'_>,
     options: &RemeshOptions,
-    length: Option<&dyn Fn(u32) -> f64>,
+    lengths: Option<Lengths<'_>>,
     tell: &mut dyn FnMut(f64),
 ) -> Result<Remeshed, Error> {
     options.validate()?;
@@ -154,7 +163,7 @@ fn remesh(
     let selected = joined.copies.selection(selection);
     let region = RegionMesh::new(positions, &joined.triangles, selected.selection())?;
     let ids = ids(&region);
-    let coarse = patch(&region, positions, &ids, length);
+    let coarse = patch(&region, positions, &ids, lengths);
     let taken = taken(&region);
     let fineness = Fineness {
         factor: std::f64::consts::SQRT_2 / options.density,
@@ -189,12 +198,7 @@ fn ids(region: &RegionMesh) -> Vec<u32> {
 }
 
 /// The region as a patch, with the sizes outside, or those asked.
-fn patch(
-    region: &RegionMesh,
-    positions: &[[f64; 3]],
-    ids: &[u32],
-    length: Option<&dyn Fn(u32) -> f64>,
-) -> Patch {
+fn patch(region: &RegionMesh, positions: &[[f64; 3]], ids: &[u32], lengths: Option<Lengths<'_>>) -> Patch {
     let (free, boundary) = (region.free as u32, region.boundary as u32);
     let number = |v: u32| if v < free { v + boundary } else { v - free };
     let x: Vec<_> = ids.iter().map(|&v| positions[v as usize].into()).collect();
@@ -220,10 +224,15 @@ fn patch(
     let mut mean = 0.0;
     for (v, [outside, inside]) in sums.into_iter().enumerate() {
         let (sum, count) = if outside.1 > 0.0 { outside } else { inside };
-        patch.size[v] = length.map_or(sum / count.max(1.0), |of| of(ids[v]));
+        patch.size[v] = lengths.map_or(sum / count.max(1.0), |of| (of.along)(ids[v]));
         mean += patch.size[v] / f64::from(boundary);
     }
     patch.size[boundary as usize..].fill(mean);
+    if let Some(of) = lengths {
+        for v in boundary as usize..ids.len() {
+            patch.own[v] = (of.inside)(ids[v]);
+        }
+    }
     for h in 0..patch.half_edges() {
         if patch.across(h) == NONE {
             let length = patch.length(h);

@@ -219,3 +219,31 @@ fn a_plate_much_thinner_than_the_width_takes_no_triangles_without_number() {
     let mesh = rounded(&prism(&square, [0.0, 0.01]), 0.2);
     assert_below!(mesh.triangles.len(), 60_000);
 }
+
+/// A roof over a strip: its ridge bends by these degrees, from one end to the other.
+fn roof(bends: &[f64]) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let row = |(i, bend): (usize, &f64)| {
+        let y = 0.25 * i as f64;
+        let height = (0.5 * bend.to_radians()).tan();
+        [[-1.0, y, -height], [0.0, y, 0.0], [1.0, y, -height]]
+    };
+    let positions = bends.iter().enumerate().flat_map(row).collect();
+    let mut triangles = Vec::new();
+    for v in (0..bends.len() as u32 - 1).flat_map(|i| [3 * i, 3 * i + 1]) {
+        triangles.extend([[v, v + 1, v + 4], [v, v + 4, v + 3]]);
+    }
+    (positions, triangles)
+}
+
+#[test]
+fn a_crease_that_bends_less_in_between_is_one() {
+    let mut bends = vec![44.0; 21];
+    for (i, bend) in [(8, 36.0), (9, 28.0), (10, 20.0), (11, 28.0), (12, 36.0)] {
+        bends[i] = bend;
+    }
+    let mesh = rounded(&roof(&bends), 0.2);
+    assert!(mesh.angle > 20.1, "{}", mesh.angle);
+    assert_eq!(mesh.chains.len(), 1);
+    assert_eq!(mesh.chains[0].vertices.len(), 21);
+    assert!(mesh.is_complete(), "{:?}", mesh.report.outcome);
+}
