@@ -229,9 +229,8 @@ fn patch(region: &RegionMesh, positions: &[[f64; 3]], ids: &[u32], lengths: Opti
     }
     patch.size[boundary as usize..].fill(mean);
     if let Some(of) = lengths {
-        for v in boundary as usize..ids.len() {
-            patch.own[v] = (of.inside)(ids[v]);
-        }
+        let inner = patch.own.iter_mut().zip(ids).skip(boundary as usize);
+        inner.for_each(|(own, &v)| *own = (of.inside)(v));
     }
     for h in 0..patch.half_edges() {
         if patch.across(h) == NONE {
