@@ -10,7 +10,7 @@ use super::resolution::lengths;
 use super::rounded::{CreaseChain, Narrowing, Rounded, SharpCorner};
 use super::stopped::tell;
 use super::surface::Surface;
-use crate::fairing::{BoundaryNormals, Coincident, Options, Report, Selection, Solution, fair};
+use crate::fairing::{BoundaryNormals, Coincident, Options, Outcome, Report, Selection, Solution, fair};
 use crate::holes::{Lengths, Parents, RemeshOptions, compose, remesh_to_lengths};
 use crate::mesh::NONE;
 use crate::support::error::Error;
@@ -97,31 +97,26 @@ impl Bands {
         let mut bands = self.remeshed(given.len(), None)?;
         let mut solution = bands.solve(options)?;
         for _ in 0..AGAIN {
-            let is_good = solution.report.outcome.is_success();
+            let is_good = is_sound(&solution);
             // A surface that is not sound bends anyhow.
-            let finer = match is_good {
-                true => lengths(&solution.positions, &bands.triangles, bands.sources.len()),
-                false => None,
-            };
-            if is_good && finer.is_none() {
+            let finer = is_good.then(|| lengths(&solution.positions, &bands.triangles, bands.sources.len()));
+            if finer == Some(None) {
                 break;
             }
             let smooth = Self {
                 positions: solution.positions.clone(),
                 ..bands.clone()
             };
-            let next = smooth.remeshed(given.len(), finer.as_deref())?;
+            let next = smooth.remeshed(given.len(), finer.flatten().as_deref());
             // What cannot be triangulated once more stays as it is.
-            match next.solve(options) {
-                Ok(found) if !is_good || found.report.outcome.is_success() => {
-                    (bands, solution) = (next, found)
-                }
+            match next.and_then(|next| Ok((next.solve(options)?, next))) {
+                Ok((found, next)) if !is_good || is_sound(&found) => (bands, solution) = (next, found),
                 _ => break,
             }
         }
         bands.positions = solution.positions;
         let (faces, report) = (bands.sources.len(), &mut solution.report);
-        tell(report, &bands.creases, &bands.positions, &bands.triangles, faces);
+        tell(report, &bands.creases, &bands.positions, &bands.triangles, faces)?;
         Ok(bands.assemble(given, centre, solution.report))
     }
 
@@ -243,8 +238,11 @@ impl Bands {
 /// Times that bands are triangulated once more.
 const AGAIN: usize = 2;
 
-/// Bands at least this part of the width asked count as that wide.
-const NARROW: f64 = 0.99;
+/// Whether there is nothing that another triangulation could mend.
+fn is_sound(solution: &Solution) -> bool {
+    let outcome = &solution.report.outcome;
+    outcome.is_success() || matches!(outcome, Outcome::ConvergedLoosely { .. })
+}
 
 fn told(chain: &Chain, (part, at): (f64, Vector3<f64>), surface: &Surface<'_>) -> CreaseChain {
     let first = chain.half_edges.iter().take(1).map(|&h| surface.origin(h));
@@ -254,7 +252,7 @@ fn told(chain: &Chain, (part, at): (f64, Vector3<f64>), surface: &Surface<'_>) -
             .collect(),
         bend: chain.bend,
         is_rounded: chain.is_chosen,
-        narrowed: (chain.is_chosen && part < NARROW).then(|| Narrowing {
+        narrowed: (chain.is_chosen && part < 1.0).then(|| Narrowing {
             part,
             place: (at + surface.centre).into(),
         }),

@@ -5,8 +5,8 @@ use crate::mesh::rows::Rows;
 
 /// What goes on bends by at least this part of what makes a crease.
 const WEAKER: f64 = 0.6;
-/// It turns by less than this (the cosine) from edge to edge.
-const TURN: f64 = 0.7;
+/// A crease turns by less than this (the cosine) from edge to edge; where it turns more is a corner.
+pub(super) const TURN: f64 = 0.7;
 
 /// Adds the edges between such ends to the creases; per half-edge, as are the bends, in degrees.
 pub(super) fn connect(surface: &Surface<'_>, bends: &[f64], least: f64, is_crease: &mut [bool]) {

@@ -2,16 +2,13 @@
 
 use nalgebra::Vector3;
 
-use super::crease_ends::connect;
+use super::crease_ends::{TURN, connect};
 use super::options::RoundOptions;
 use super::surface::{Surface, between};
 use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::edge_set::EdgeSet;
 use crate::mesh::halfedge::previous;
 use crate::mesh::rows::Rows;
-
-/// A chain turns by less than this (the cosine) from edge to edge; where it turns more is a corner.
-const TURN: f64 = 0.7;
 
 /// What bends, and how the mesh falls into faces between.
 pub(super) struct CreaseGraph {

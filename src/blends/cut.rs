@@ -10,8 +10,8 @@ const STEPS: usize = 4;
 const ON: f64 = 1e-3;
 /// Vertices that are so near to a rail, of the length wanted there, move onto it.
 const SNAP: f64 = 0.3;
-/// They leave the surface by at most this, of the length wanted there.
-const STAYS: f64 = 1e-6;
+/// What lies in a plane leaves it by at most this, of the length wanted there.
+pub(super) const LEAVES: f64 = 1e-6;
 /// Triangles get no smaller than this part of what they were.
 const SHRINKS: f64 = 0.2;
 /// Distances that differ by less, relative, are the same.
@@ -257,7 +257,7 @@ impl<'a> Cut<'a> {
             let [before, after] = [from, from + by].map(|x| self.sheet.cross(g / 3, a, &x));
             let size = before.norm();
             stays &=
-                by.dot(&before).abs() <= STAYS * wanted * size && before.dot(&after) > SHRINKS * size * size;
+                by.dot(&before).abs() <= LEAVES * wanted * size && before.dot(&after) > SHRINKS * size * size;
         });
         stays && is_closed
     }

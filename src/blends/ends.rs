@@ -6,8 +6,8 @@ use super::surface::Surface;
 
 /// Over so many widths a band fades out.
 const FADE: f64 = 2.0;
-/// Bands that fade out in one corner take at most this part of the angle between their creases each.
-const SHARE: f64 = 0.42;
+/// Two bands on one face take at most this part of what is between their creases each: of the distance, and of the angle where both fade out.
+pub(super) const SHARE: f64 = 0.42;
 
 pub(super) struct Ends<'a> {
     surface: &'a Surface<'a>,

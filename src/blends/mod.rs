@@ -8,6 +8,7 @@ mod crease_graph;
 mod cut;
 mod ends;
 mod face_normals;
+mod facets;
 mod level;
 mod options;
 mod rails;

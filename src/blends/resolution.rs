@@ -1,9 +1,6 @@
 //! How long edges are to be where blends bend much from triangle to triangle.
 
-use nalgebra::Vector3;
-
-use super::surface::between;
-use crate::holes::Links;
+use super::facets::Facets;
 use crate::mesh::halfedge::{next, previous};
 
 /// Edges that bend by more than so many degrees want shorter ones around them, and by how much they are to bend then.
@@ -15,24 +12,20 @@ const LEAST: f64 = 0.4;
 /// Per vertex the largest length of edges that the surface allows there; infinity where it asks for nothing. None if it asks for nothing anywhere. The bands are
 /// the triangles from number `first` on.
 pub(super) fn lengths(positions: &[[f64; 3]], triangles: &[[u32; 3]], first: usize) -> Option<Vec<f64>> {
-    let links = Links::new(positions.len(), triangles).ok()?;
-    let x = |h: u32| Vector3::from(positions[links.origin(h) as usize]);
-    let normal = |h: u32| (x(next(h)) - x(h)).cross(&(x(previous(h)) - x(h)));
+    let facets = Facets::new(positions, triangles).ok()?;
     let mut lengths = vec![f64::INFINITY; positions.len()];
     let mut is_any = false;
     for h in 3 * first as u32..3 * triangles.len() as u32 {
-        let Some(o) = links.across(h) else {
+        let (Some(bend), Some(o)) = (facets.bend(h), facets.links.across(h)) else {
             continue;
         };
-        let [m, n] = [h, o].map(normal);
-        let bend = between(&m, &n).to_degrees();
         if bend <= WIDE {
             continue;
         }
         // The side of an equilateral triangle as high as these two in the mean.
-        let height = 0.5 * (m.norm() + n.norm()) / (x(next(h)) - x(h)).norm();
+        let height = 0.5 * (facets.cross(h).norm() + facets.cross(o).norm()) / facets.edge(h).norm();
         let side = height * 2.0 / 3.0_f64.sqrt();
-        for v in [h, next(h), previous(h), previous(o)].map(|g| links.origin(g) as usize) {
+        for v in [h, next(h), previous(h), previous(o)].map(|g| facets.links.origin(g) as usize) {
             lengths[v] = lengths[v].min(side * (AIM / bend).max(LEAST));
         }
         is_any = true;

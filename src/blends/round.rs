@@ -114,9 +114,7 @@ fn level(surface: &Surface<'_>, graph: &CreaseGraph, options: &RoundOptions) -> 
     let curves: Vec<ChainCurve> = graph.chains.iter().map(curve).collect();
     let (corners, angles) = corners(surface, graph);
     let mut widths = Widths::asked(&curves, options);
-    let asked = widths.clone();
-    widths.fit(surface, graph, &curves, &angles);
-    let least = widths.least(&asked, &curves);
+    let least = widths.fit(surface, graph, &curves, &angles);
     widths.fade(surface, graph, &curves);
     let mut sides = Vec::new();
     for ((number, chain), widths) in (0..).zip(&graph.chains).zip(widths.0) {

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::cut::Cut;
+use super::cut::{Cut, LEAVES};
 use super::surface::between;
 use crate::mesh::NONE;
 use crate::mesh::halfedge::previous;
@@ -72,26 +72,25 @@ fn flip(cut: &mut Cut<'_>, given: u32) {
     }
 }
 
-/// Whether the two triangles at an edge, one of them a needle, lie on one face, nearly in one plane, and their other diagonal is the better one.
+/// Whether an edge of a face can be turned, one of its triangles is a needle, and the other diagonal is Delaunay.
 fn is_better_flipped(cut: &Cut<'_>, h: u32) -> bool {
     let (sheet, o) = (&cut.sheet, cut.sheet.across(h));
-    if !stays(cut, h / 3) || !stays(cut, o / 3) || cut.face(h / 3) != cut.face(o / 3) {
-        return false;
-    }
-    let [a, b, c, d] = [h, o, previous(h), previous(o)].map(|g| sheet.x[sheet.origin(g) as usize]);
-    let cross = |p: Vector3<f64>, q: Vector3<f64>, r: Vector3<f64>| (q - p).cross(&(r - p));
-    let [m, n] = [cross(a, b, c), cross(b, a, d)];
-    let normal = m + n;
-    let is_thin = thinness(&c, &[a, b], &m).min(thinness(&d, &[a, b], &n)) < FLIPPED;
-    let size = normal.norm();
-    let off = (c - a).dot(&normal).abs().max((d - a).dot(&normal).abs());
-    let Some(wanted) = cut.wanted(sheet.origin(h)) else {
+    let Some(wanted) = cut.wanted(sheet.origin(h)).filter(|_| stays(cut, h / 3)) else {
         return false;
     };
+    let [a, b, c, d] = corners(cut, h);
+    let is_needle = |t: u32, p: &Vector3<f64>| thinness(p, &[a, b], &sheet.cross(t, NONE, p)) < FLIPPED;
     let sum = between(&(a - c), &(b - c)) + between(&(a - d), &(b - d));
-    let is_right = |s: Vector3<f64>| s.dot(&normal) > TILTED * s.norm() * size;
-    let better = sum > std::f64::consts::PI + STAYS;
-    is_thin && better && off <= MOVES * wanted * size && is_right(cross(c, a, d)) && is_right(cross(d, b, c))
+    (is_needle(h / 3, &c) || is_needle(o / 3, &d))
+        && sum > std::f64::consts::PI + STAYS
+        && can_turn(cut, h, MOVES * wanted)
+}
+
+/// The corners of the two triangles at an edge: its ends, then the other two.
+fn corners(cut: &Cut<'_>, h: u32) -> [Vector3<f64>; 4] {
+    let sheet = &cut.sheet;
+    let o = sheet.across(h);
+    [h, o, previous(h), previous(o)].map(|g| sheet.x[sheet.origin(g) as usize])
 }
 
 fn shorten_rails(cut: &mut Cut<'_>) {
@@ -129,7 +128,7 @@ fn turn_away(cut: &mut Cut<'_>, h: u32, wanted: f64) -> Option<u32> {
     let [a, b] = [cut.sheet.origin(h), cut.sheet.target(h)];
     let mut found = None;
     cut.sheet.fan(h, |g| {
-        if g != h && found.is_none() && can_turn(cut, g, wanted) {
+        if g != h && found.is_none() && can_turn(cut, g, LEAVES * wanted) {
             found = Some(g);
         }
     });
@@ -149,21 +148,20 @@ fn turn_away(cut: &mut Cut<'_>, h: u32, wanted: f64) -> Option<u32> {
     same
 }
 
-/// Whether the two triangles at an edge lie in one plane, inside one band or outside of it, and are a convex quadrangle.
-fn can_turn(cut: &Cut<'_>, h: u32, wanted: f64) -> bool {
-    let (sheet, o) = (&cut.sheet, cut.sheet.across(h));
+/// Whether the two triangles at an edge lie in one plane, at most so far off it, inside one band or outside of it, and are a convex quadrangle.
+fn can_turn(cut: &Cut<'_>, h: u32, most: f64) -> bool {
+    let o = cut.sheet.across(h);
     if o == NONE || stays(cut, h / 3) != stays(cut, o / 3) || cut.face(h / 3) != cut.face(o / 3) {
         return false;
     }
-    let [a, b, c, d] = [h, o, previous(h), previous(o)].map(|g| sheet.x[sheet.origin(g) as usize]);
+    let [a, b, c, d] = corners(cut, h);
     let cross = |p: Vector3<f64>, q: Vector3<f64>, r: Vector3<f64>| (q - p).cross(&(r - p));
     let normal = cross(a, b, c) + cross(b, a, d);
     let size = normal.norm();
     let off = (c - a).dot(&normal).abs().max((d - a).dot(&normal).abs());
-    let is_right =
-        |s: Vector3<f64>, long: f64| s.dot(&normal) > TILTED * s.norm() * size && s.norm() > NEEDLE * long;
     let long = (d - c).norm_squared();
-    off <= 1e-6 * wanted * size && is_right(cross(c, a, d), long) && is_right(cross(d, b, c), long)
+    let is_right = |s: Vector3<f64>| s.dot(&normal) > TILTED * s.norm() * size && s.norm() > NEEDLE * long;
+    off <= most * size && is_right(cross(c, a, d)) && is_right(cross(d, b, c))
 }
 
 /// How far the faces that stay would move if the origin of `h` moved to its target; infinity: that cannot be.

@@ -3,12 +3,12 @@
 use nalgebra::Vector3;
 
 use super::crease_graph::CreaseGraph;
+use super::facets::Facets;
 use super::level::Level;
 use super::rounded::Rounded;
-use super::surface::{Surface, between};
+use super::surface::Surface;
 use crate::fairing::Outcome;
-use crate::holes::Links;
-use crate::mesh::halfedge::{next, previous};
+use crate::mesh::disjoint_sets::DisjointSets;
 
 /// A corner is to blame for what is so many widths from it.
 const REACH: f64 = 3.0;
@@ -66,62 +66,51 @@ fn corner(graph: &CreaseGraph, surface: &Surface<'_>, level: &Level, place: &Vec
 
 /// Where blends that are not sound are worst: one place of each component.
 fn worst_places(result: &Rounded) -> Vec<Vector3<f64>> {
-    let Ok(links) = Links::new(result.positions.len(), &result.triangles) else {
+    let Ok(facets) = Facets::new(&result.positions, &result.triangles) else {
         return Vec::new();
     };
-    let at = |v: u32| Vector3::from(result.positions[v as usize]);
-    let crossing = result
-        .report
-        .self_intersections
-        .iter()
-        .flat_map(|all| all.pairs.first());
-    let mut places: Vec<Vector3<f64>> = crossing
-        .map(|pair| at(result.triangles[pair[0] as usize][0]))
-        .collect();
-    let mut is_free = vec![false; result.positions.len()];
-    result.free.iter().for_each(|&v| is_free[v as usize] = true);
+    let of_triangle = |t: u32| facets.at(result.triangles[t as usize][0]);
+    let crossing = result.report.self_intersections.iter();
+    let crossing = crossing.flat_map(|all| all.pairs.first());
+    let mut places: Vec<Vector3<f64>> = crossing.map(|pair| of_triangle(pair[0])).collect();
+    let mut bends = None;
     for component in &result.report.components {
-        let place = match &component.outcome {
-            Outcome::BoundaryCrease { vertices } => vertices.first().map(|&v| at(v)),
+        places.extend(match &component.outcome {
+            Outcome::BoundaryCrease { vertices } => vertices.first().map(|&v| facets.at(v)),
             Outcome::ConvergedPoorTriangles { triangles } | Outcome::PoorWhenRounded { triangles } => {
-                triangles.first().map(|&t| at(result.triangles[t as usize][0]))
+                triangles.first().map(|&t| of_triangle(t))
             }
             Outcome::NotConverged | Outcome::NearestMember { .. } => {
-                let free = connected(&links, &is_free, component.vertex as u32);
-                worst_bend(&links, &at, &free)
+                let bends = bends.get_or_insert_with(|| worst_bends(result, &facets));
+                Some(bends[component.vertex].1)
             }
             _ => None,
-        };
-        places.extend(place);
+        });
     }
     places
 }
 
-/// The free vertices that hang together with one.
-fn connected(links: &Links<'_>, is_free: &[bool], first: u32) -> Vec<u32> {
-    let mut is_seen = vec![false; is_free.len()];
-    is_seen[first as usize] = true;
-    let mut all = vec![first];
-    let mut next_one = 0;
-    while let Some(&v) = all.get(next_one) {
-        next_one += 1;
-        for &h in links.outgoing.row(v as usize) {
-            let to = links.origin(next(h));
-            if is_free[to as usize] && !std::mem::replace(&mut is_seen[to as usize], true) {
-                all.push(to);
+/// Per component, by its smallest free vertex, the largest bend between its triangles, and the middle of the edge.
+fn worst_bends(result: &Rounded, facets: &Facets<'_>) -> Vec<(f64, Vector3<f64>)> {
+    let mut is_free = vec![false; result.positions.len()];
+    result.free.iter().for_each(|&v| is_free[v as usize] = true);
+    let is_free = |v: &u32| is_free[*v as usize];
+    let mut components = DisjointSets::new(result.positions.len());
+    for triangle in &result.triangles {
+        let mut free = triangle.iter().copied().filter(is_free);
+        if let Some(first) = free.next() {
+            free.for_each(|v| components.unite(first, v));
+        }
+    }
+    let mut worst = vec![(0.0, Vector3::zeros()); result.positions.len()];
+    for h in 0..3 * result.triangles.len() as u32 {
+        let free = result.triangles[h as usize / 3].iter().copied().find(is_free);
+        if let (Some(v), Some(bend)) = (free, facets.bend(h)) {
+            let of = &mut worst[components.smallest(v) as usize];
+            if bend > of.0 {
+                *of = (bend, facets.at(facets.links.origin(h)) + facets.edge(h) * 0.5);
             }
         }
     }
-    all
-}
-
-/// The middle of the edge at one of these vertices where the surface bends most.
-fn worst_bend(links: &Links<'_>, at: &dyn Fn(u32) -> Vector3<f64>, free: &[u32]) -> Option<Vector3<f64>> {
-    let x = |h: u32| at(links.origin(h));
-    let normal = |h: u32| (x(next(h)) - x(h)).cross(&(x(previous(h)) - x(h)));
-    let of_vertices = free.iter().flat_map(|&v| links.outgoing.row(v as usize));
-    let around = of_vertices.flat_map(|&h| [h, next(h)]);
-    let bend = |h: u32| Some((between(&normal(h), &normal(links.across(h)?)), h));
-    let (_, h) = around.filter_map(bend).max_by(|a, b| a.0.total_cmp(&b.0))?;
-    Some((x(h) + x(next(h))) * 0.5)
+    worst
 }

@@ -6,12 +6,10 @@ use rstar::primitives::GeomWithData;
 
 use super::chain_curve::ChainCurve;
 use super::crease_graph::CreaseGraph;
-use super::ends::Ends;
+use super::ends::{Ends, SHARE};
 use super::options::RoundOptions;
 use super::surface::Surface;
 
-/// Two bands on one face take at most this part of the distance between their creases each.
-const SHARE: f64 = 0.42;
 /// Where two bands meet in corners at both ends of a crease their rails take at most this part of it.
 const ALONG: f64 = 0.85;
 /// Points of one curve are apart if it is so many times as far along the curve as through space: about as on a half circle.
@@ -27,7 +25,6 @@ const SLOPE: f64 = 0.25;
 const BEFORE: f64 = 0.25;
 
 /// Per chain and point of its curve; negative where a band has ended.
-#[derive(Clone)]
 pub(super) struct Widths(pub(super) Vec<Vec<f64>>);
 
 /// A point of a curve: the chain, and its number there.
@@ -48,14 +45,14 @@ impl Widths {
         )
     }
 
-    /// Narrows them where bands would meet.
+    /// Narrows them where bands would meet. Per curve the least part of the width that there is room for, and where that is.
     pub(super) fn fit(
         &mut self,
         surface: &Surface<'_>,
         graph: &CreaseGraph,
         curves: &[ChainCurve],
         angles: &[[f64; 2]],
-    ) {
+    ) -> Vec<(f64, Vector3<f64>)> {
         let points = (0..).zip(curves).flat_map(|(c, curve)| {
             let of = (0..).zip(&curve.points);
             of.map(move |(i, p)| Sample::new((*p).into(), (c, i)))
@@ -67,6 +64,7 @@ impl Widths {
             curves,
             tree: &tree,
         };
+        let mut least = vec![(1.0, Vector3::zeros()); curves.len()];
         for (c, chain) in graph
             .chains
             .iter()
@@ -82,10 +80,15 @@ impl Widths {
             };
             for (i, width) in self.0[c].iter_mut().enumerate() {
                 let fits = longest.min(SHARE * room.at(c, i, *width / SHARE));
-                *width = width.min(fits.max(LEAST * *width));
+                let part = (fits / *width).clamp(LEAST, 1.0);
+                *width *= part;
+                if part < least[c].0 {
+                    least[c] = (part, curves[c].points[i]);
+                }
             }
         }
         self.even_out(surface, graph, curves);
+        least
     }
 
     /// Lets widths change slowly along chains, and from one to the next.
@@ -123,17 +126,6 @@ impl Widths {
                 }
             }
         }
-    }
-
-    /// Per curve the least part of the width asked, and where that is.
-    pub(super) fn least(&self, asked: &Self, curves: &[ChainCurve]) -> Vec<(f64, Vector3<f64>)> {
-        let of = |((widths, asked), curve): ((&Vec<f64>, &Vec<f64>), &ChainCurve)| {
-            let parts = widths.iter().zip(asked).map(|(width, asked)| width / asked);
-            let all = parts.zip(&curve.points).map(|(part, &p)| (part, p));
-            all.min_by(|a, b| a.0.total_cmp(&b.0))
-                .unwrap_or((1.0, Vector3::zeros()))
-        };
-        self.0.iter().zip(&asked.0).zip(curves).map(of).collect()
     }
 
     /// Lets bands end where their creases do.
