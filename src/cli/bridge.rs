@@ -73,11 +73,10 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
         turned,
         precision,
         output,
-    } = Files::open(
+    } = args.patches.open(
         &args.input,
         &args.output,
         args.pipes.of(&args.input, Some(&args.output))?,
-        &args.patches.mesh,
     )?;
     let answer = args.patches.answer(&args.output, &args.input)?;
     args.pictures.check(std::slice::from_ref(&args.input))?;
@@ -101,6 +100,7 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
         triangles: &bridged.triangles,
         parents: &bridged.parents,
         carry: None,
+        mark: args.patches.mark.from(0),
     };
     let led = references::led(
         mesh.with_added(format, &added, None),

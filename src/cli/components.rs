@@ -139,8 +139,9 @@ impl Without {
     }
 
     /// What attributes are carried over from.
-    pub fn carry<'a>(&'a self, [vertices, faces]: &'a Places) -> Carry<'a> {
+    pub fn carry<'a>(&'a self, [vertices, faces]: &'a Places, filled: &'a Filled) -> Carry<'a> {
         Carry {
+            places: &filled.positions[filled.positions.len() - filled.parents.len()..],
             geometry: &self.was.geometry,
             vertices,
             faces,

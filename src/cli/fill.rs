@@ -130,7 +130,7 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
         turned,
         precision,
         output,
-    } = Files::open(&job.input, &job.output, job.piped, &args.patches.mesh)?;
+    } = args.patches.open(&job.input, &job.output, job.piped)?;
     let pictures = args.pictures.prepare(&job.input, &job.output)?;
     let before = pictures.as_ref().map(|_| mesh.geometry.clone());
     let boundary_curvature = args
@@ -178,13 +178,14 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
         .map_err(|error| refusal(args, &job.input, &mesh, &error))?;
     let carry = source
         .zip(carried.as_ref())
-        .map(|(of, carried)| of.carry(carried));
+        .map(|(of, carried)| of.carry(carried, &filled));
     let mesh = with_moved(&job.input, mesh, &filled)?;
     let added = Added {
         positions: &filled.positions,
         triangles: &filled.triangles,
         parents: &filled.parents,
         carry: carry.as_ref(),
+        mark: args.patches.mark.from(0),
     };
     let grown = mesh.with_added(format, &added, source.map(|of| &of.was));
     let led = references::led(grown, format, &job.input, &job.output);

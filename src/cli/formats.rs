@@ -8,6 +8,7 @@ mod convert;
 mod format;
 mod geometry;
 pub mod image;
+mod mark;
 mod mesh_file;
 pub mod obj;
 pub mod off;
@@ -23,7 +24,7 @@ mod tests;
 pub mod textures;
 mod turned;
 
-pub use added::Added;
+pub use added::{Added, Mark};
 pub use format::Format;
 pub use geometry::{Geometry, Kind};
 pub use mesh_file::{MeshFile, Written, plain};

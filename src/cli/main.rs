@@ -44,6 +44,7 @@ mod render;
 mod report;
 mod rim;
 mod round;
+mod rounded_file;
 mod seams;
 mod select;
 mod selected;

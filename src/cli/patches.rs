@@ -12,7 +12,7 @@ use crate::batch::Telling;
 use crate::continuity;
 use crate::failure::Failure;
 use crate::formats::pipe_args::Piped;
-use crate::formats::{Format, MeshFile};
+use crate::formats::{Format, Mark, MeshFile};
 use crate::orientation::oriented;
 use crate::output::Output;
 use crate::report::{creased, member_weight};
@@ -27,6 +27,24 @@ enum CapKind {
     Fair,
     /// The plane, with a sharp edge; boundaries in no plane get a fair patch
     Flat,
+}
+
+/// How new faces are marked in the output.
+#[derive(Debug, Args)]
+pub struct MarkArgs {
+    /// Mark new faces in the output: in PLY by a property of faces of this name, 1 for new
+    /// ones ('flags': as selected in MeshLab), in OBJ by a group. Other formats have none
+    #[arg(long, value_name = "NAME", value_parser = mark_name, verbatim_doc_comment)]
+    pub mark: Option<String>,
+}
+
+/// A name that is one word of a text.
+fn mark_name(name: &str) -> Result<String, String> {
+    let is_in_word = |c: char| c.is_ascii_graphic() && c != '#';
+    match !name.is_empty() && name.chars().all(is_in_word) {
+        true => Ok(name.to_owned()),
+        false => Err("a name is one word of ASCII without '#'".to_owned()),
+    }
 }
 
 /// How patches are made and told.
@@ -61,6 +79,8 @@ pub struct PatchArgs {
     #[arg(long, value_name = "N", default_value_t = 0, verbatim_doc_comment)]
     threads: usize,
     #[command(flatten)]
+    pub mark: MarkArgs,
+    #[command(flatten)]
     pub mesh: MeshArgs,
     #[command(flatten)]
     intersections: IntersectionArgs,
@@ -80,6 +100,11 @@ impl PatchArgs {
             is_quiet: self.quiet,
             is_verbose,
         }
+    }
+
+    /// The files of a run.
+    pub fn open(&self, input: &Path, output: &Path, piped: Piped) -> Result<Files, Failure> {
+        Files::open(input, output, piped, &self.mesh, &self.mark)
     }
 
     /// The same of a command that takes one mesh.
@@ -125,14 +150,23 @@ pub struct Files {
 }
 
 impl Files {
-    pub fn open(input: &Path, output: &Path, piped: Piped, args: &MeshArgs) -> Result<Self, Failure> {
+    pub fn open(
+        input: &Path,
+        output: &Path,
+        piped: Piped,
+        args: &MeshArgs,
+        mark: &MarkArgs,
+    ) -> Result<Self, Failure> {
         let format = Format::of(output, piped.output)?;
-        let (mesh, turned) = oriented(input, MeshFile::read(input, piped.input)?, args)?;
+        let (mut mesh, turned) = oriented(input, MeshFile::read(input, piped.input)?, args)?;
         let precision = match (mesh.format(), format) {
             (Format::Ply, Format::Ply) => mesh.output_precision(),
             _ => format.output_precision(),
         };
         mesh.check_writable(input, format)?;
+        if let Some(name) = &mark.mark {
+            mesh = mesh.markable(&input.display().to_string(), format, name)?;
+        }
         Ok(Self {
             format,
             mesh,
@@ -140,6 +174,13 @@ impl Files {
             precision,
             output: Output::prepare_or_stdout(output)?,
         })
+    }
+}
+
+impl MarkArgs {
+    /// How faces are marked of which the first ones are not new.
+    pub fn from(&self, first: usize) -> Option<Mark<'_>> {
+        self.mark.as_deref().map(|name| Mark { name, first })
     }
 }
 

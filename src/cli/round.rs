@@ -13,11 +13,11 @@ use crate::comparison::{MeshSide, PictureArgs, story};
 use crate::explain;
 use crate::failure::Failure;
 use crate::figures::significant;
-use crate::formats::MeshFile;
 use crate::formats::pipe_args::PipesArgs;
-use crate::formats::plain;
+use crate::formats::{MeshFile, references};
 use crate::orientation;
-use crate::patches::{Files, fairing};
+use crate::patches::{Files, MarkArgs, fairing};
+use crate::rounded_file;
 use crate::sharp_edges::{MarkedChain, marked_chain};
 use crate::surface::{IntersectionArgs, MeshArgs};
 
@@ -71,6 +71,8 @@ pub struct RoundArgs {
     #[arg(long, value_name = "N", default_value_t = 0, verbatim_doc_comment)]
     threads: usize,
     #[command(flatten)]
+    mark: MarkArgs,
+    #[command(flatten)]
     mesh: MeshArgs,
     #[command(flatten)]
     intersections: IntersectionArgs,
@@ -94,7 +96,7 @@ pub fn run(args: &RoundArgs) -> Result<bool, Failure> {
         turned,
         precision,
         output,
-    } = Files::open(&args.input, &args.output, piped, &args.mesh)?;
+    } = Files::open(&args.input, &args.output, piped, &args.mesh, &args.mark)?;
     let answer = Answer::prepare(
         args.json.as_deref(),
         args.quiet,
@@ -112,7 +114,9 @@ pub fn run(args: &RoundArgs) -> Result<bool, Failure> {
     )
     .map_err(|error| refusal(args, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();
-    output.write(&plain(format, &rounded.positions, &rounded.triangles))?;
+    let (bytes, first) = rounded_file::written(&mesh, (&args.input, format), &rounded, &args.mark)?;
+    let led = references::led(bytes, format, &args.input, &args.output);
+    output.write(&led.bytes)?;
     let is_good = rounded.is_complete();
     if let Some(pictures) = &pictures {
         let after = MeshSide {
@@ -133,12 +137,13 @@ pub fn run(args: &RoundArgs) -> Result<bool, Failure> {
         let corners = corners.map(|of| json!({ "vertex": of.vertex, "place": of.place }));
         json!({ "angle": rounded.angle, "chains": chains.collect::<Vec<Value>>(),
             "sharp_corners": corners.collect::<Vec<Value>>(), "fairing": fairing(&rounded.report),
-            "turned_faces": turned, "kept_vertices": rounded.kept_vertices.len(), "new_vertices": rounded.parents.len(),
+            "turned_faces": turned, "kept_vertices": rounded.kept_vertices.len(), "new_vertices": rounded.parents.len(), "first_new_face": first,
             "new_triangles": rounded.triangles.len() - rounded.kept_triangles.len(),
-            "seconds": { "solve": solve, "total": total } })
+            "references": led.told, "seconds": { "solve": solve, "total": total } })
     };
     answer.tell(&[&args.output], json, || {
-        orientation::turned(turned) + &readable(&rounded)
+        let told = led.told.iter().map(|line| format!("{line}\n"));
+        orientation::turned(turned) + &readable(&rounded) + &told.collect::<String>()
     })?;
     Ok(is_good)
 }

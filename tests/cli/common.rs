@@ -126,3 +126,29 @@ pub fn size_of_png(path: &Path) -> [u32; 2] {
     assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
     [16, 20].map(|at| u32::from_be_bytes(png[at..at + 4].try_into().unwrap()))
 }
+
+/// The words of a line, as numbers.
+pub fn numbers(line: &str) -> Vec<f64> {
+    line.split_whitespace()
+        .map(|word| word.parse().unwrap())
+        .collect()
+}
+
+/// What stands behind this name in the lines of an OBJ.
+pub fn lines_of<'t>(text: &'t str, name: &str) -> Vec<&'t str> {
+    text.lines().filter_map(|line| line.strip_prefix(name)).collect()
+}
+
+/// The same as numbers.
+pub fn numbers_of(text: &str, name: &str) -> Vec<Vec<f64>> {
+    lines_of(text, name).into_iter().map(numbers).collect()
+}
+
+/// The vertex and the texture coordinate of each corner of a face, as counted from 0.
+pub fn corners(face: &str) -> Vec<[usize; 2]> {
+    let corner = |word: &str| {
+        let (v, vt) = word.split_once('/').unwrap();
+        [v, vt].map(|n| n.parse::<usize>().unwrap() - 1)
+    };
+    face.split_whitespace().map(corner).collect()
+}

@@ -4,7 +4,10 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-use crate::common::{SIDE, cap, directory, expect, is_free, is_selected, off_sphere, quads, write_lists};
+use crate::common::{
+    SIDE, cap, corners, directory, expect, is_free, is_selected, lines_of, numbers, numbers_of, off_sphere,
+    quads, write_lists,
+};
 use serde_json::Value;
 
 /// The cap as PLY: red and quality of every vertex, mark and quality of every face. `extra` stands behind.
@@ -44,12 +47,6 @@ fn rows(text: &str) -> (Vec<&str>, Vec<&str>) {
         lines[..vertices].to_vec(),
         lines[vertices..vertices + faces].to_vec(),
     )
-}
-
-fn numbers(line: &str) -> Vec<f64> {
-    line.split_whitespace()
-        .map(|word| word.parse().unwrap())
-        .collect()
 }
 
 fn fill(directory: &Path, input: &str, output: &str, more: &[&str]) -> String {
@@ -144,24 +141,6 @@ fn two_charts() -> String {
         let _ = writeln!(text, "f {}", corners.join(" "));
     }
     text
-}
-
-/// What stands behind this name in the lines of an OBJ.
-fn lines_of<'t>(text: &'t str, name: &str) -> Vec<&'t str> {
-    text.lines().filter_map(|line| line.strip_prefix(name)).collect()
-}
-
-fn numbers_of(text: &str, name: &str) -> Vec<Vec<f64>> {
-    lines_of(text, name).into_iter().map(numbers).collect()
-}
-
-/// The vertex and the texture coordinate of each corner of a face, as counted from 0.
-fn corners(face: &str) -> Vec<[usize; 2]> {
-    let corner = |word: &str| {
-        let (v, vt) = word.split_once('/').unwrap();
-        [v, vt].map(|n| n.parse::<usize>().unwrap() - 1)
-    };
-    face.split_whitespace().map(corner).collect()
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::common::{directory, expect};
+use crate::common::{corners, directory, expect, numbers_of};
 use serde_json::Value;
 
 /// A cube of side 2 around the origin.
@@ -65,4 +65,140 @@ fn what_cannot_be_rounded_is_refused() {
         assert!(error.contains(said), "{flags:?}: {error}");
         assert!(!directory.join("out.off").exists());
     }
+}
+
+/// The corners of a cube of side 2, and its sides, which face outwards.
+const CORNERS: [[i32; 3]; 8] = [
+    [-1, -1, -1],
+    [1, -1, -1],
+    [-1, 1, -1],
+    [1, 1, -1],
+    [-1, -1, 1],
+    [1, -1, 1],
+    [-1, 1, 1],
+    [1, 1, 1],
+];
+const SIDES: [[usize; 4]; 6] = [
+    [0, 2, 3, 1],
+    [4, 5, 7, 6],
+    [0, 1, 5, 4],
+    [2, 6, 7, 3],
+    [0, 4, 6, 2],
+    [1, 3, 7, 5],
+];
+
+/// Where in the texture a place on a side lies: its corners are those of the unit square.
+fn texture(side: usize, p: &[f64]) -> [f64; 2] {
+    let [a, b, _, d] = SIDES[side].map(|v| CORNERS[v].map(f64::from));
+    let along = |to: [f64; 3]| (0..3).map(|k| (p[k] - a[k]) * (to[k] - a[k])).sum::<f64>() / 4.0;
+    [along(b), along(d)]
+}
+
+fn is_on(side: usize, p: &[f64]) -> bool {
+    let [a, b, c, _] = SIDES[side].map(|v| CORNERS[v].map(f64::from));
+    (0..3).all(|k| a[k] != b[k] || a[k] != c[k] || (p[k] - a[k]).abs() < 1e-12)
+}
+
+#[test]
+fn parts_of_faces_keep_their_material_group_and_texture_and_blends_are_marked() {
+    let directory = directory("round-obj");
+    let mut text = String::from("mtllib m.mtl\n");
+    let words = |v: [i32; 3]| v.map(|c| c.to_string()).join(" ");
+    CORNERS.iter().for_each(|&v| text += &format!("v {}\n", words(v)));
+    text += "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
+    for (side, [a, b, c, d]) in SIDES.map(|of| of.map(|v| v + 1)).iter().enumerate() {
+        text += &format!("g side{side}\nusemtl m{side}\nf {a}/1 {b}/2 {c}/3 {d}/4\n");
+    }
+    fs::write(directory.join("in.obj"), text).unwrap();
+    fs::write(directory.join("m.mtl"), "newmtl m0\n").unwrap();
+    let round = [
+        "round", "in.obj", "-o", "out.obj", "--width", "0.2", "--edges", "0,1", "--mark", "blend",
+    ];
+    expect(&directory, &[&round[..], &["--json", "r.json"]].concat(), 0);
+    let made = fs::read_to_string(directory.join("out.obj")).unwrap();
+    let (vertices, textures) = (numbers_of(&made, "v "), numbers_of(&made, "vt "));
+    // Only the far sides have nothing to do with the edge.
+    assert!(made.contains("g side3\nusemtl m3\nf 3/1 7/2 8/3 4/4\n") && made.contains("f 5/1 6/2 8/3 7/4\n"));
+    let (mut group, mut side, mut blends, mut parts) = ("", 0, 0, [0; 6]);
+    for line in made.lines() {
+        match line.split_once(' ') {
+            Some(("g", name)) => group = name,
+            Some(("usemtl", name)) => side = name[1..].parse().unwrap(),
+            Some(("f", face)) => {
+                let corners = corners(face);
+                if group == "blend" {
+                    blends += 1;
+                    assert!(side == 0 || side == 2, "{line}");
+                    continue;
+                }
+                parts[side] += 1;
+                assert_eq!(group, format!("side{side}"));
+                for [v, vt] in corners {
+                    let expected = texture(side, &vertices[v]);
+                    assert!(is_on(side, &vertices[v]), "{line}");
+                    assert!(
+                        (0..2).all(|k| (textures[vt][k] - expected[k]).abs() < 1e-12),
+                        "{line}"
+                    );
+                }
+            }
+            _ => {}
+        }
+    }
+    assert_eq!(blends, report(&directory)["new_triangles"]);
+    assert!(
+        parts[0] > 1 && parts[2] > 1 && parts[1] == 1 && parts[3] == 1,
+        "{parts:?}"
+    );
+}
+
+#[test]
+fn new_faces_are_marked_by_a_property() {
+    let directory = directory("round-mark");
+    cube(&directory);
+    let text = fs::read_to_string(directory.join("cube.off")).unwrap();
+    let rows = text.split_once('\n').unwrap().1.split_once('\n').unwrap().1;
+    let head = "ply\nformat ascii 1.0\nelement vertex 8\nproperty double x\nproperty double y\nproperty double z\n\
+        element face 12\nproperty list uchar int vertex_indices\nend_header\n";
+    fs::write(directory.join("in.ply"), format!("{head}{rows}")).unwrap();
+    for (name, marked) in [("blend", "1"), ("flags", "32")] {
+        let round = [
+            "--width", "0.2", "--edges", "0,1", "--json", "r.json", "--mark", name,
+        ];
+        expect(
+            &directory,
+            &[&["round", "in.ply", "-o", "out.ply"], &round[..]].concat(),
+            0,
+        );
+        let made = fs::read_to_string(directory.join("out.ply")).unwrap();
+        let told = report(&directory);
+        let faces: Vec<&str> = made.lines().filter(|line| line.starts_with("3 ")).collect();
+        let first = told["first_new_face"].as_u64().unwrap() as usize;
+        assert_eq!(faces.len() - first, told["new_triangles"]);
+        for (i, face) in faces.iter().enumerate() {
+            let is_new = face.split(' ').next_back() == Some(marked);
+            assert_eq!(is_new, i >= first, "{face}");
+        }
+        // Of another format a binary file is made, which tells the same faces.
+        expect(
+            &directory,
+            &[&["round", "cube.off", "-o", "binary.ply"], &round[..]].concat(),
+            0,
+        );
+        let select = ["select", "binary.ply", "-o", "faces.txt", "--selection", name];
+        expect(&directory, &select, 0);
+        let list = fs::read_to_string(directory.join("faces.txt")).unwrap();
+        let selected: Vec<usize> = list
+            .split_whitespace()
+            .map(|word| word.parse().unwrap())
+            .collect();
+        assert_eq!(selected, (first..faces.len()).collect::<Vec<usize>>());
+    }
+    let round = [
+        "round", "cube.off", "-o", "out.off", "--width", "0.2", "--mark", "blend",
+    ];
+    let (_, error) = expect(&directory, &round, 2);
+    assert!(error.contains("--mark needs an output in PLY or OBJ"), "{error}");
+    let (_, error) = expect(&directory, &[&round[..7], &["two words"]].concat(), 2);
+    assert!(error.contains("one word"), "{error}");
 }

@@ -4,6 +4,15 @@ use fairmesh::Parents;
 
 use super::carry::Carry;
 
+/// What marks new faces: a property of PLY, a group of OBJ.
+#[derive(Debug, Clone, Copy)]
+pub struct Mark<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// The first of the faces that are added which has the mark.
+    pub first: usize,
+}
+
 /// A mesh with vertices and triangles added behind a file's own.
 pub struct Added<'a> {
     /// All positions, the file's first.
@@ -14,6 +23,8 @@ pub struct Added<'a> {
     pub parents: &'a [Parents],
     /// What attributes are carried over from instead, if that is asked for.
     pub carry: Option<&'a Carry<'a>>,
+    /// How new faces are marked.
+    pub mark: Option<Mark<'a>>,
 }
 
 impl Added<'_> {

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use fairmesh::Carried;
 
 use super::geometry::Geometry;
+use crate::normals::{cross, dot, sub};
 
 /// Texture coordinates of a face's corners.
 pub type Corners = [[f64; 2]; 3];
@@ -19,11 +20,14 @@ pub struct Carry<'a> {
     pub faces: &'a [Option<Carried>],
     /// Per vertex that is kept its number there.
     pub kept: &'a [u32],
+    /// The new vertices.
+    pub places: &'a [[f64; 3]],
 }
 
 impl Carry<'_> {
-    /// Per new face the texture coordinates of its corners, None where a seam is crossed. `wedges` are those of every triangle of the
-    /// mesh as it was; what hangs together by edges with the same coordinates on both sides is a chart.
+    /// Per new face the texture coordinates of its corners. `wedges` are those of every triangle of the mesh as it was; what hangs together
+    /// by edges with the same coordinates on both sides is a chart. A face has the chart of its middle, whose triangle is continued to corners
+    /// in others.
     pub fn textures(&self, wedges: &[Option<Corners>], faces: &[[u32; 3]]) -> Vec<Option<Corners>> {
         let triangles = &self.geometry.triangles;
         let charts = charts(triangles, wedges);
@@ -44,11 +48,28 @@ impl Carry<'_> {
             }
         };
         let of_face = |(t, carried): (&[u32; 3], &Option<Carried>)| {
-            let chart = charts[carried.as_ref()?.triangle as usize];
-            let [a, b, c] = t.map(|v| corner(v, chart));
+            let triangle = carried.as_ref()?.triangle as usize;
+            let wedge = wedges[triangle]?;
+            let [a, b, c] =
+                t.map(|v| corner(v, charts[triangle]).or_else(|| self.continued(triangle, &wedge, v)));
             Some([a?, b?, c?])
         };
         faces.iter().zip(self.faces).map(of_face).collect()
+    }
+
+    /// The texture coordinates of a triangle, continued linearly to a vertex. None if it has no area.
+    fn continued(&self, triangle: usize, wedge: &Corners, v: u32) -> Option<[f64; 2]> {
+        let at = |v: u32| self.geometry.positions[v as usize];
+        let p = match (v as usize).checked_sub(self.kept.len()) {
+            None => at(self.kept[v as usize]),
+            Some(new) => self.places[new],
+        };
+        let [a, b, c] = self.geometry.triangles[triangle].map(at);
+        let normal = cross(sub(b, a), sub(c, a));
+        let part = |x, y| dot(cross(sub(y, x), sub(p, x)), normal) / dot(normal, normal);
+        let weights = [part(b, c), part(c, a), part(a, b)];
+        let sum = |k: usize| (0..3).map(|i| weights[i] * wedge[i][k]).sum();
+        (dot(normal, normal) > 0.0).then(|| [sum(0), sum(1)])
     }
 }
 

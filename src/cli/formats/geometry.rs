@@ -87,7 +87,7 @@ impl Geometry {
     }
 
     /// The first triangle of every polygon that has at least three corners.
-    pub(super) fn first_triangles(&self) -> Vec<usize> {
+    pub fn first_triangles(&self) -> Vec<usize> {
         let is_first = |t: &usize| *t == 0 || self.polygon_of(*t) != self.polygon_of(*t - 1);
         (0..self.triangles.len()).filter(is_first).collect()
     }

@@ -2,6 +2,7 @@
 
 mod grow;
 mod header;
+mod mark;
 mod only;
 mod rows;
 pub mod strips;
@@ -15,7 +16,9 @@ use crate::text::Layout;
 use header::{Element, Encoding, Header, PropertyKind, Scalar};
 use rows::{Field, Rows};
 
-/// MeshLab's (VCG's) bit for "selected" in `flags`, of vertices and faces alike.
+/// The property in which MeshLab (VCG) writes what is selected.
+const FLAGS: &str = "flags";
+/// Its bit for "selected", of vertices and faces alike.
 const SELECTED: i64 = 0x20;
 
 /// Where vertices and faces are.
@@ -239,7 +242,7 @@ impl Ply {
     /// The rows whose property `name` is nonzero; of `flags`, only the bit for "selected" counts.
     pub fn selected(&self, bytes: &[u8], kind: Kind, name: &str) -> Option<Vec<u32>> {
         let is_selected = |value: f64| match name {
-            "flags" => value as i64 & SELECTED != 0,
+            FLAGS => value as i64 & SELECTED != 0,
             _ => value != 0.0,
         };
         let (values, _) = self.numbers(bytes, kind, name)?;

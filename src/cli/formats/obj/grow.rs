@@ -1,6 +1,7 @@
 //! New lines at the end of an OBJ file: vertices with colours and texture coordinates where the file has them, and faces.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use super::lines::logical_line;
 use crate::formats::added::{Added, average};
@@ -18,7 +19,17 @@ pub(super) struct Attributes {
     texture_of: Vec<Option<usize>>,
     /// Per triangle the texture coordinates of its corners.
     pub(super) wedges: Vec<Option<Corners>>,
+    /// Per triangle the lines that say its group, material and smoothing.
+    settings: Vec<Settings>,
+    /// The last of these lines.
+    last: Settings,
 }
+
+/// Lines that hold for the faces behind them.
+const SETTINGS: [&[u8]; 3] = [b"g", b"usemtl", b"s"];
+
+/// The last such lines.
+type Settings = [Option<Range<usize>>; SETTINGS.len()];
 
 /// The file with lines for new vertices and faces behind its own. `was` is what attributes are carried over from.
 pub fn grown(bytes: &[u8], added: &Added<'_>, was: Option<&[u8]>, faces: &[[u32; 3]]) -> Vec<u8> {
@@ -31,12 +42,12 @@ pub fn grown(bytes: &[u8], added: &Added<'_>, was: Option<&[u8]>, faces: &[[u32;
     let mut textures = String::new();
     let was = added.carry.zip(was).map(|(carry, bytes)| {
         let count = carry.geometry.positions.len();
-        (carry, Attributes::read(bytes, count))
+        (carry, bytes, Attributes::read(bytes, count))
     });
     for (i, (position, parents)) in added.positions[old..].iter().zip(added.parents).enumerate() {
         let carried = was
             .as_ref()
-            .and_then(|(carry, was)| Some((carry.vertices[i].as_ref()?, was)));
+            .and_then(|(carry, _, was)| Some((carry.vertices[i].as_ref()?, was)));
         let colour = match carried {
             Some((carried, was)) => average(&carried.parents, |v| was.colours[v]),
             None => average(parents, |v| attributes.colours[v]),
@@ -63,7 +74,7 @@ pub fn grown(bytes: &[u8], added: &Added<'_>, was: Option<&[u8]>, faces: &[[u32;
                 .iter()
                 .map(|face| face.map(|v| attributes.texture_of[v as usize])),
         ),
-        Some((carry, was)) => {
+        Some((carry, _, was)) => {
             let mut known = BTreeMap::new();
             for (face, texture) in faces.iter().zip(carry.textures(&was.wedges, faces)) {
                 let mut named = [None; 3];
@@ -80,7 +91,30 @@ pub fn grown(bytes: &[u8], added: &Added<'_>, was: Option<&[u8]>, faces: &[[u32;
         }
     }
     out.extend(textures.bytes());
-    for (face, textures) in faces.iter().zip(corners) {
+    // What holds at the end of the file.
+    let mut now = attributes
+        .last
+        .clone()
+        .map(|line| line.map_or(&b""[..], |line| &bytes[line]));
+    for (i, (face, textures)) in faces.iter().zip(corners).enumerate() {
+        // The first setting is the group.
+        let is_marked = added.mark.is_some_and(|mark| i >= mark.first);
+        if let Some(mark) = added.mark.filter(|mark| i == mark.first) {
+            out.extend(format!("g {}\n", mark.name).bytes());
+        }
+        if let Some((carry, bytes, was)) = &was
+            && let Some(carried) = &carry.faces[i]
+        {
+            let of_face = &was.settings[carried.triangle as usize];
+            for (now, then) in now.iter_mut().zip(of_face).skip(usize::from(is_marked)) {
+                let then = then.clone().map_or(*now, |line| &bytes[line]);
+                if then != *now {
+                    out.extend(then);
+                    out.push(b'\n');
+                    *now = then;
+                }
+            }
+        }
         let is_textured = textures.iter().all(Option::is_some);
         out.push(b'f');
         for (v, texture) in face.iter().zip(textures) {
@@ -104,7 +138,7 @@ impl Attributes {
         let mut at = text::start(bytes);
         while at < bytes.len() {
             let (range, next) = logical_line(bytes, at);
-            let mut words = text::words(bytes, range);
+            let mut words = text::words(bytes, range.clone());
             match words.next().map(|word| &bytes[word]) {
                 Some(b"v") => attributes.colours.push(colour(bytes, words)),
                 Some(b"vt") => {
@@ -114,7 +148,12 @@ impl Attributes {
                         .push(number().map(|u| [u, number().unwrap_or(0.0)]));
                 }
                 Some(b"f") => attributes.corners(bytes, words),
-                _ => {}
+                Some(word) => {
+                    if let Some(which) = SETTINGS.iter().position(|&name| name == word) {
+                        attributes.last[which] = Some(range);
+                    }
+                }
+                None => {}
             }
             at = next;
         }
@@ -146,8 +185,9 @@ impl Attributes {
             }
         }
         let of_triangle = |i: usize| Some([of_corners[0]?, of_corners[i]?, of_corners[i + 1]?]);
-        self.wedges
-            .extend((1..of_corners.len().saturating_sub(1)).map(of_triangle));
+        let triangles = 1..of_corners.len().saturating_sub(1);
+        self.settings.extend(triangles.clone().map(|_| self.last.clone()));
+        self.wedges.extend(triangles.map(of_triangle));
     }
 }
 

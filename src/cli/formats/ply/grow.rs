@@ -2,7 +2,7 @@
 
 use super::header::{Encoding, PropertyKind, Scalar};
 use super::rows::Field;
-use super::{Ply, Table, rows};
+use super::{FLAGS, Ply, SELECTED, Table, rows};
 use crate::formats::added::{Added, average};
 use crate::formats::carry::Corners;
 use crate::formats::patches::Patches;
@@ -74,12 +74,16 @@ impl Ply {
         if let Some((carry, (was, was_bytes))) = was {
             let textures = carry.textures(&was.corners(was_bytes), faces);
             let mut new = Vec::new();
-            for ((corners, texture), carried) in faces.iter().zip(textures).zip(carry.faces) {
+            for (i, ((corners, texture), carried)) in faces.iter().zip(textures).zip(carry.faces).enumerate()
+            {
                 let polygon = carried
                     .as_ref()
                     .map(|of| carry.geometry.polygon_of(of.triangle as usize));
                 let values = polygon.map(|polygon| was.numbers_of_face(was_bytes, polygon));
-                let value = |property: usize| values.as_ref().map_or(0.0, |values| values[property]);
+                let value = |property: usize| {
+                    let carried = values.as_ref().map_or(0.0, |values| values[property]);
+                    self.mark(property, i, added).unwrap_or(carried)
+                };
                 self.push_face(
                     &mut new,
                     corners,
@@ -96,9 +100,11 @@ impl Ply {
             wedges.push(wedge);
         }
         let mut new = Vec::new();
-        for corners in faces {
+        for (i, corners) in faces.iter().enumerate() {
             let of = corners.map(|v| *wedges.get(v as usize)?);
-            self.push_face(&mut new, corners, of, |_| 0.0);
+            self.push_face(&mut new, corners, of, |property| {
+                self.mark(property, i, added).unwrap_or(0.0)
+            });
         }
         self.insert(bytes, &self.face, faces.len(), new, patches);
     }
@@ -202,6 +208,17 @@ impl Ply {
             Ok(())
         });
         values
+    }
+
+    /// The value of a property of the new face of this number that marks it.
+    fn mark(&self, property: usize, face: usize, added: &Added<'_>) -> Option<f64> {
+        let mark = added.mark.filter(|mark| face >= mark.first)?;
+        let name = &self.face.element.properties[property].name;
+        let value = match mark.name {
+            FLAGS => SELECTED as f64,
+            _ => 1.0,
+        };
+        (name == mark.name).then_some(value)
     }
 
     fn push_face(
