@@ -30,7 +30,10 @@ mod regions;
 mod solve;
 mod support;
 
-pub use blends::{CreaseChain, Creases, Narrowing, RoundOptions, Rounded, SharpCorner, round};
+pub use blends::{
+    CreaseChain, Creases, Narrowing, RoundOptions, Rounded, SharpCorner, blend_vertices, round,
+    round_with_progress,
+};
 pub use fairing::{
     Attempt, AttemptEnd, BoundaryCurvature, BoundaryNormals, Budget, Coincident, ComponentReport, CreaseEnd,
     CurvatureContinuity, Discretization, Edit, Frame, InnerFairness, InteriorNormals, Intersections,

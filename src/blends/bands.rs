@@ -10,7 +10,10 @@ use super::resolution::lengths;
 use super::rounded::{CreaseChain, Narrowing, Rounded, SharpCorner};
 use super::stopped::tell;
 use super::surface::Surface;
-use crate::fairing::{BoundaryNormals, Coincident, Options, Outcome, Report, Selection, Solution, fair};
+use super::telling::Telling;
+use crate::fairing::{
+    BoundaryNormals, Coincident, Options, Outcome, Report, Selection, Solution, fair_within,
+};
 use crate::holes::{Lengths, Parents, RemeshOptions, compose, remesh_to_lengths};
 use crate::mesh::NONE;
 use crate::support::error::Error;
@@ -87,15 +90,16 @@ impl Bands {
     /// more, from the surface that it has led to: that is smooth already, vertices are spread over it evenly, and it tells how fine it is to be.
     ///
     /// # Errors
-    /// Those of [`fair`].
+    /// Those of [`fair`](crate::fair).
     pub(super) fn fair(
         self,
         given: &[[f64; 3]],
         centre: &Vector3<f64>,
         options: &Options,
+        telling: &mut Telling<'_, '_>,
     ) -> Result<Rounded, Error> {
         let mut bands = self.remeshed(given.len(), None)?;
-        let mut solution = bands.solve(options)?;
+        let mut solution = bands.solve(options, telling)?;
         for _ in 0..AGAIN {
             let is_good = is_sound(&solution);
             // A surface that is not sound bends anyhow.
@@ -109,7 +113,7 @@ impl Bands {
             };
             let next = smooth.remeshed(given.len(), finer.flatten().as_deref());
             // What cannot be triangulated once more stays as it is.
-            match next.and_then(|next| Ok((next.solve(options)?, next))) {
+            match next.and_then(|next| Ok((next.solve(options, telling)?, next))) {
                 Ok((found, next)) if !is_good || is_sound(&found) => (bands, solution) = (next, found),
                 _ => break,
             }
@@ -198,18 +202,19 @@ impl Bands {
         }
     }
 
-    fn solve(&self, options: &Options) -> Result<Solution, Error> {
+    fn solve(&self, options: &Options, telling: &mut Telling<'_, '_>) -> Result<Solution, Error> {
         let fairing = Options {
             boundary_normals: BoundaryNormals::Given(self.normals.clone()),
             coincident: Coincident::Separate,
             marked_edges: self.creases.clone(),
             ..options.clone()
         };
-        fair(
+        fair_within(
             &self.positions,
             &self.triangles,
             Selection::Vertices(&self.free),
             &fairing,
+            &mut telling.fairing(),
         )
     }
 

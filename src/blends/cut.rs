@@ -3,6 +3,7 @@
 use super::level::{Entry, Level};
 use super::sheet::Sheet;
 use crate::mesh::NONE;
+use fairmesh_linear::interrupt::checkpoint;
 
 /// Steps to where an edge crosses the rail.
 const STEPS: usize = 4;
@@ -56,6 +57,7 @@ impl<'a> Cut<'a> {
     /// Spreads distances from the curves over the faces; triangles that a rail may pass are split until they are as fine as it.
     pub(super) fn spread(&mut self) {
         while let Some(t) = self.waiting.pop() {
+            checkpoint();
             self.is_waiting[t as usize] = false;
             self.visit(t);
         }
@@ -202,6 +204,7 @@ impl<'a> Cut<'a> {
         self.slide(given);
         let mut t = 0;
         while t < self.sheet.triangles.len() as u32 {
+            checkpoint();
             match (3 * t..3 * t + 3).find(|&h| self.crosses(h)) {
                 Some(h) => self.cross(h),
                 None => t += 1,

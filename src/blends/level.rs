@@ -111,6 +111,17 @@ impl Level {
         width * bend / libm::tan(0.5 * bend) / PARTS.max(bend / TURN)
     }
 
+    /// About how many vertices the blend along a curve has: rows across at each of its points.
+    pub(super) fn vertices(&self, curve: usize) -> f64 {
+        let (side, curve) = (&self.sides[2 * curve], &self.curves[curve]);
+        let rows = |bend: f64| PARTS.max(bend / TURN);
+        let at = |(width, bend): (&f64, &f64)| {
+            let arc = width.max(LEAST * side.widest) * bend / libm::tan(0.5 * bend);
+            rows(*bend).powi(2) * curve.spacing / arc
+        };
+        side.widths.iter().zip(&curve.bends).map(at).sum()
+    }
+
     fn radius(&self, a: u32, b: u32) -> Option<f64> {
         let pair = [a.min(b), a.max(b)];
         let of = |corner: &Corner| corner.sides.cmp(&pair);

@@ -18,10 +18,11 @@ mod rounded;
 mod sheet;
 mod stopped;
 mod surface;
+mod telling;
 mod tidy;
 mod unsolved;
 mod widths;
 
 pub use options::{Creases, RoundOptions};
-pub use round::round;
+pub use round::{blend_vertices, round, round_with_progress};
 pub use rounded::{CreaseChain, Narrowing, Rounded, SharpCorner};

@@ -1,5 +1,6 @@
 //! From a mesh with creases to one with blends.
 
+use fairmesh_linear::interrupt::unless_stopped;
 use nalgebra::Vector3;
 
 use super::bands::Bands;
@@ -13,9 +14,11 @@ use super::options::RoundOptions;
 use super::rounded::Rounded;
 use super::sheet::Sheet;
 use super::surface::Surface;
+use super::telling::Telling;
 use super::tidy::tidy;
 use super::unsolved::give_up;
 use super::widths::Widths;
+use crate::fairing::{ProgressCallback, on_workers};
 use crate::mesh::Joined;
 use crate::mesh::halfedge::next;
 use crate::support::error::Error;
@@ -44,6 +47,54 @@ pub fn round(
     options: &RoundOptions,
 ) -> Result<Rounded, Error> {
     options.validate()?;
+    on_workers(options.fairing.threads, None, |progress| {
+        rounded(positions, triangles, options, progress)
+    })
+}
+
+/// [`round`], which calls `progress` on the calling thread, as [`fair_with_progress`](crate::fair_with_progress) does. `Break` stops the run: then there
+/// is no result.
+///
+/// # Errors
+/// Those of [`round`].
+pub fn round_with_progress(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    options: &RoundOptions,
+    progress: &mut ProgressCallback<'_>,
+) -> Result<Option<Rounded>, Error> {
+    options.validate()?;
+    on_workers(options.fairing.threads, Some(progress), |progress| {
+        unless_stopped(|| rounded(positions, triangles, options, progress)).transpose()
+    })
+}
+
+/// About how many vertices the blends that [`round`] would make have; what is tried on the way may have a few times as many.
+///
+/// # Errors
+/// Those of [`round`], but for what the fairing finds.
+pub fn blend_vertices(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    options: &RoundOptions,
+) -> Result<usize, Error> {
+    options.validate()?;
+    let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
+    let surface = Surface::new(positions, &joined.triangles)?;
+    let graph = CreaseGraph::new(&surface, options);
+    check_size(&surface, &graph, options)?;
+    let level = level(&surface, &graph, options);
+    let chosen = (0..graph.chains.len()).filter(|&c| graph.chains[c].is_chosen);
+    Ok(chosen.map(|c| level.vertices(c)).sum::<f64>() as usize)
+}
+
+fn rounded(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    options: &RoundOptions,
+    progress: &mut ProgressCallback<'_>,
+) -> Result<Rounded, Error> {
+    let mut telling = Telling::new(progress);
     let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
     let surface = Surface::new(positions, &joined.triangles)?;
     let mut graph = CreaseGraph::new(&surface, options);
@@ -51,7 +102,13 @@ pub fn round(
     let mut given_up = 0;
     loop {
         let level = level(&surface, &graph, options);
-        let rounded = blended(positions, &joined.triangles, &surface, &graph, &level, options)?;
+        let cut = cut_out(positions.len(), &joined.triangles, &surface, &graph, &level);
+        let normals = FaceNormals {
+            surface: &surface,
+            graph: &graph,
+        };
+        let bands = Bands::new(&cut, &normals);
+        let rounded = bands.fair(positions, &surface.centre, &options.fairing, &mut telling)?;
         if given_up == GIVEN_UP || !give_up(&mut graph, &surface, &level, &rounded) {
             return Ok(rounded);
         }
@@ -62,15 +119,14 @@ pub fn round(
 /// Times that what is not sound stays sharp, and the rest is done again.
 const GIVEN_UP: usize = 4;
 
-/// Bands along the creases chosen are cut out and faired.
-fn blended(
-    positions: &[[f64; 3]],
+/// Bands along the creases chosen, cut out; of the mesh given there are so many vertices.
+fn cut_out<'l>(
+    given: usize,
     triangles: &[[u32; 3]],
     surface: &Surface<'_>,
-    graph: &CreaseGraph,
-    level: &Level,
-    options: &RoundOptions,
-) -> Result<Rounded, Error> {
+    graph: &'l CreaseGraph,
+    level: &'l Level,
+) -> Cut<'l> {
     let sheet = Sheet::new(
         surface.x.clone(),
         triangles.to_vec(),
@@ -79,10 +135,9 @@ fn blended(
     let mut cut = Cut::new(sheet, level, &graph.faces);
     seed(&mut cut, surface, graph);
     cut.spread();
-    cut.cut(positions.len());
-    tidy(&mut cut, positions.len());
-    let normals = FaceNormals { surface, graph };
-    Bands::new(&cut, &normals).fair(positions, &surface.centre, &options.fairing)
+    cut.cut(given);
+    tidy(&mut cut, given);
+    cut
 }
 
 /// More points of curves than this are a slip of the width: each has about three vertices of a blend beside it.

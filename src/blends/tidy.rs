@@ -1,5 +1,6 @@
 //! Vertices that cuts have left and nothing needs: short edges of rails, and what is inside flat faces.
 
+use fairmesh_linear::interrupt::checkpoint;
 use nalgebra::Vector3;
 
 use super::cut::{Cut, LEAVES};
@@ -53,6 +54,7 @@ fn flip(cut: &mut Cut<'_>, given: u32) {
     for _ in 0..ROUNDS {
         let mut flips = 0;
         for h in 0..3 * cut.sheet.triangles.len() as u32 {
+            checkpoint();
             let (t, o) = (h / 3, cut.sheet.across(h));
             let is_new = |t: u32| cut.sheet.triangles[t as usize].iter().any(|&v| v >= given);
             if cut.sheet.is_there(t)
@@ -95,6 +97,7 @@ fn corners(cut: &Cut<'_>, h: u32) -> [Vector3<f64>; 4] {
 
 fn shorten_rails(cut: &mut Cut<'_>) {
     for h in 0..3 * cut.sheet.triangles.len() as u32 {
+        checkpoint();
         if !cut.sheet.is_there(h / 3) || !is_rail(cut, h) {
             continue;
         }
@@ -231,6 +234,7 @@ fn thinness(at: &Vector3<f64>, ends: &[Vector3<f64>; 2], cross: &Vector3<f64>) -
 /// Takes away vertices inside faces that were put there for the cuts.
 fn thin_faces(cut: &mut Cut<'_>, given: u32) {
     for h in 0..3 * cut.sheet.triangles.len() as u32 {
+        checkpoint();
         if !cut.sheet.is_there(h / 3) || cut.sheet.origin(h) < given {
             continue;
         }

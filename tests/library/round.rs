@@ -1,7 +1,11 @@
 //! Creases that become blends: `round`.
 
-use fairmesh::{Creases, Error, LooseReason, Outcome, RoundOptions, Rounded, round};
+use fairmesh::{
+    Creases, Error, LooseReason, Outcome, Progress, RoundOptions, Rounded, blend_vertices, round,
+    round_with_progress,
+};
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 use crate::fairing::vector;
 
@@ -244,4 +248,56 @@ fn a_crease_that_bends_less_in_between_is_one() {
     assert_eq!(mesh.chains.len(), 1);
     assert_eq!(mesh.chains[0].vertices.len(), 24);
     assert!(mesh.is_complete(), "{:?}", mesh.report.outcome);
+}
+
+#[test]
+fn progress_rises_and_a_run_that_is_stopped_has_no_result() {
+    let (positions, triangles) = cube();
+    let options = RoundOptions {
+        width: 0.2,
+        ..RoundOptions::default()
+    };
+    let mut told = Vec::new();
+    let mut tell = |progress: &Progress| {
+        told.push(progress.fraction);
+        ControlFlow::Continue(())
+    };
+    let whole = round_with_progress(&positions, &triangles, &options, &mut tell)
+        .unwrap()
+        .unwrap();
+    assert!(
+        told.len() > 2 && told.is_sorted() && told[told.len() - 1] <= 1.0,
+        "{told:?}"
+    );
+    assert_eq!(
+        whole.positions,
+        rounded(&(positions.clone(), triangles.clone()), 0.2).positions
+    );
+    let mut calls = 0;
+    let mut stop = |_: &Progress| {
+        calls += 1;
+        match calls {
+            1 => ControlFlow::Continue(()),
+            _ => ControlFlow::Break(()),
+        }
+    };
+    let stopped = round_with_progress(&positions, &triangles, &options, &mut stop).unwrap();
+    assert!(stopped.is_none());
+}
+
+#[test]
+fn the_vertices_of_blends_are_told_before() {
+    for (mesh, width) in [
+        (cube(), 0.2),
+        (cube(), 0.05),
+        (prism(&polygon(48, 1.0), [0.0, 1.0]), 0.1),
+    ] {
+        let options = RoundOptions {
+            width,
+            ..RoundOptions::default()
+        };
+        let told = blend_vertices(&mesh.0, &mesh.1, &options).unwrap() as f64;
+        let made = rounded(&mesh, width).parents.len() as f64;
+        assert!(told > made / 2.0 && told < 2.0 * made, "{told} of {made}");
+    }
 }
