@@ -179,6 +179,7 @@ static inline void read_all(const fairmesh_result *result, int growth) {
     MUST(READ(fairmesh_result_info(result, &reading.info, &told)) == FAIRMESH_STATUS_OK);
     READ(fairmesh_result_info(result, ROOM(&reading, fairmesh_info), &told));
     READ(fairmesh_result_bridge(result, ROOM(&reading, fairmesh_bridge_report), &told));
+    READ(fairmesh_result_crease(result, index_at(growth & 3, reading.info.crease_count), ROOM(&reading, fairmesh_crease), &told));
     for (k = 0; k < INDICES; k++) read_index(&reading, index_at(k, reading.info.loop_count));
     for (scalar = FAIRMESH_SCALAR_FLOAT32; scalar <= FAIRMESH_SCALAR_FLOAT64; scalar++) {
         read_vectors(&reading, reading.info.vertex_count, scalar, 0, 1);

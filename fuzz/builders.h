@@ -191,6 +191,22 @@ static inline void give_bridge(Bytes *bytes, fairmesh_bridge_options *bridge) {
     if (what & 4) bridge->width = between(bytes, 0.0, 4.0);
 }
 
+/* Blends much smaller than the mesh take long. */
+static inline double size_of_blend(double size) {
+    return size > 0.0 && size < 0.05 ? 0.05 : size;
+}
+
+static inline void give_round(Bytes *bytes, fairmesh_round_options *round, uint32_t vertices) {
+    uint8_t what = next(bytes);
+    round->width = 0.25;
+    if (what & 1) round->struct_size = size_like(bytes, sizeof *round);
+    if (what & 2) round->width = size_of_blend(between(bytes, 0.0, 4.0));
+    if (what & 4) round->radius = size_of_blend(between(bytes, 0.0, 4.0));
+    if (what & 8) round->angle = between(bytes, 0.0, 180.0);
+    if (what & 16) round->creases = next(bytes) % 4u;
+    if (what & 32) round->edges = list(bytes, vertices, 4, 2);
+}
+
 static inline void give_remesh(Bytes *bytes, fairmesh_remesh_options *remesh) {
     uint8_t what = next(bytes);
     remesh->max_vertices = 500;

@@ -28,6 +28,7 @@ typedef struct {
     fairmesh_options options;
     fairmesh_fill_options fill;
     fairmesh_bridge_options bridge;
+    fairmesh_round_options round;
     fairmesh_remesh_options remesh;
     fairmesh_region_step steps[STEPS];
     fairmesh_edit edits[EDITS];
@@ -57,6 +58,7 @@ static inline void give_nothing(Given *given) {
     fairmesh_options_init(&given->options, sizeof given->options);
     fairmesh_fill_options_init(&given->fill, sizeof given->fill);
     fairmesh_bridge_options_init(&given->bridge, sizeof given->bridge);
+    fairmesh_round_options_init(&given->round, sizeof given->round);
     fairmesh_remesh_options_init(&given->remesh, sizeof given->remesh);
 }
 
@@ -67,6 +69,7 @@ typedef struct {
     const fairmesh_options *options;
     const fairmesh_fill_options *fill;
     const fairmesh_bridge_options *bridge;
+    const fairmesh_round_options *round;
     const fairmesh_remesh_options *remesh;
     const fairmesh_budget *limit;
     const fairmesh_indices *first;
@@ -87,6 +90,7 @@ static inline Handed hand_over(const Given *given, fairmesh_result **result, fai
     HAND(options, NO_OPTIONS);
     HAND(fill, NO_FILL);
     HAND(bridge, NO_BRIDGE);
+    HAND(round, NO_BRIDGE);
     HAND(remesh, NO_REMESH);
     HAND(limit, NO_LIMIT);
     if (!(given->missing & NO_FIRST)) handed.first = &given->first;

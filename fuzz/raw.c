@@ -63,6 +63,7 @@ static void make_right(All *all) {
     given->options.threads = 1;
     given->fill.max_new_vertices = 200;
     given->remesh.max_vertices = 500;
+    given->round.width = 0.25;
     given->step_count = given->edit_count = 1;
 }
 

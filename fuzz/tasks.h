@@ -242,6 +242,11 @@ static fairmesh_status bridge(Run *run) {
     return at_most(most_of(run), status, run);
 }
 
+static fairmesh_status round_creases(Run *run) {
+    const Handed *to = &run->handed;
+    return fairmesh_round(to->mesh, to->round, to->options, to->result, anew(run));
+}
+
 static fairmesh_status memory_needed(Run *run) {
     const Handed *to = &run->handed;
     uint64_t bytes = 0;
@@ -294,10 +299,11 @@ static fairmesh_status solver(Run *run) {
 static fairmesh_status initialize(Run *run) {
     size_t size = next(&run->script) + 256u * (next(&run->script) % 8u);
     void *options = block(size);
-    switch (next(&run->script) % 4u) {
+    switch (next(&run->script) % 5u) {
     case 0: return fairmesh_options_init(options, size);
     case 1: return fairmesh_fill_options_init(options, size);
     case 2: return fairmesh_bridge_options_init(options, size);
+    case 3: return fairmesh_round_options_init(options, size);
     default: return fairmesh_remesh_options_init(options, size);
     }
 }
@@ -316,7 +322,7 @@ typedef fairmesh_status (*Task)(Run *);
 static const Task TASKS[] = {
     fair,        fill_holes,    solver,        remesh,     bridge,             refill,         select_region,
     suggest_joins, erase,       trim_boundary, carry_over, rim_roughness,      boundary_loops, components,
-    self_intersections, mean_curvature, memory_needed, fair_again, initialize, describe,
+    self_intersections, mean_curvature, memory_needed, fair_again, round_creases, initialize, describe,
 };
 enum { TASK_COUNT = sizeof TASKS / sizeof TASKS[0] };
 

@@ -30,6 +30,7 @@
  * Options are filled in by fairmesh_options_init and fairmesh_fill_options_init; then change fields. The rest, by what it is for:
  *   in steps, and live    fairmesh_solver_...
  *   holes                 fairmesh_boundary_loops, _rim_roughness, _suggest_joins, _bridge
+ *   sharp edges           fairmesh_round
  *   regions               fairmesh_select_region, _refill, _remesh, _erase, _trim_boundary, _components, _carry_over
  *   measures              fairmesh_mean_curvature, _self_intersections, _memory_needed
  *   what a result has     fairmesh_result_...
@@ -263,6 +264,10 @@ enum fairmesh_status
      * The callback has stopped the call, which has no result then.
      */
     FAIRMESH_STATUS_CANCELLED = 42,
+    /**
+     * Two vertices are named as an edge between two triangles, and are none.
+     */
+    FAIRMESH_STATUS_NOT_AN_EDGE = 43,
     /**
      * A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
      */
@@ -1031,6 +1036,35 @@ typedef uint32_t fairmesh_cap;
 #endif // __cplusplus
 
 /**
+ * Which creases are rounded. Numbers are never reused.
+ */
+enum fairmesh_creases
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * All.
+     */
+    FAIRMESH_CREASES_ALL = 0,
+    /**
+     * Edges that stand out.
+     */
+    FAIRMESH_CREASES_CONVEX = 1,
+    /**
+     * Edges that lie in a fold.
+     */
+    FAIRMESH_CREASES_CONCAVE = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_creases fairmesh_creases;
+#else
+typedef uint32_t fairmesh_creases;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
  * A part of space. Numbers are never reused.
  */
 enum fairmesh_place_kind
@@ -1115,6 +1149,10 @@ enum fairmesh_result_kind
      * Triangles chosen by place and shape.
      */
     FAIRMESH_RESULT_KIND_REGION = 11,
+    /**
+     * A mesh with blends in place of creases.
+     */
+    FAIRMESH_RESULT_KIND_ROUNDED = 12,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -1177,7 +1215,7 @@ enum fairmesh_list
      */
     FAIRMESH_LIST_OUTSIDE_VERTICES = 48,
     /**
-     * Filled, bridged and remeshed meshes: per new vertex three vertices of the mesh given that it comes from. Carried points: per
+     * Filled, bridged, remeshed and rounded meshes: per new vertex three vertices of the mesh given that it comes from. Carried points: per
      * point the corners of the triangle that it is on.
      */
     FAIRMESH_LIST_PARENTS = 49,
@@ -1186,15 +1224,16 @@ enum fairmesh_list
      */
     FAIRMESH_LIST_JOINED_LOOPS = 50,
     /**
-     * Remeshed meshes: the free vertices.
+     * Remeshed meshes: the free vertices. Rounded ones: those of the blends, without their rails.
      */
     FAIRMESH_LIST_FREE_VERTICES = 64,
     /**
-     * Remeshed meshes: per vertex that is left its number before.
+     * Remeshed and rounded meshes: per vertex that is left its number before.
      */
     FAIRMESH_LIST_KEPT_VERTICES = 65,
     /**
-     * Remeshed, erased and trimmed meshes: per triangle that is left its number before.
+     * Remeshed, erased and trimmed meshes: per triangle that is left its number before. Rounded ones: per triangle outside the blends, which come
+     * last, that of the one that it is, or is a part of.
      */
     FAIRMESH_LIST_KEPT_TRIANGLES = 66,
     /**
@@ -1226,6 +1265,14 @@ enum fairmesh_list
      * Regions: per step how many triangles it named, or how many there were after it.
      */
     FAIRMESH_LIST_REGION_COUNTS = 145,
+    /**
+     * Rounded meshes: the vertices of the crease with this index, one after the other, in the mesh given; those of a closed one end with the first.
+     */
+    FAIRMESH_LIST_CREASE_VERTICES = 160,
+    /**
+     * Rounded meshes: the corners, vertices of the mesh given, that stay sharp, as no sound blend was found there: blends fade out towards them.
+     */
+    FAIRMESH_LIST_SHARP_CORNERS = 161,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -1439,7 +1486,7 @@ enum fairmesh_vectors
      */
     FAIRMESH_VECTORS_BOUNDARY_NORMALS = 0,
     /**
-     * Filled, bridged and remeshed meshes: per new vertex the weights of its three parents; their sum is 1. Carried points: per point.
+     * Filled, bridged, remeshed and rounded meshes: per new vertex the weights of its three parents; their sum is 1. Carried points: per point.
      */
     FAIRMESH_VECTORS_PARENT_WEIGHTS = 1,
 };
@@ -2051,6 +2098,36 @@ typedef struct fairmesh_bridge_options {
 } fairmesh_bridge_options;
 
 /**
+ * What rounding does. Fill it by `fairmesh_round_options_init`; then set `width` or `radius`. How blends are faired is in a `fairmesh_options`.
+ */
+typedef struct fairmesh_round_options {
+    /**
+     * `sizeof(fairmesh_round_options)`.
+     */
+    uint32_t struct_size;
+    /**
+     * A `fairmesh_creases`: which creases are rounded. Default: all.
+     */
+    uint32_t creases;
+    /**
+     * How far from a crease its blend reaches, along the surface on both sides. 0 (default): `radius` says it.
+     */
+    double width;
+    /**
+     * The radius of the ball that touches both sides where the blend begins, in place of `width`. 0 (default): the width holds.
+     */
+    double radius;
+    /**
+     * Edges that bend by more than so many degrees are creases. 0 (default): the widest gap between the bends of the mesh tells.
+     */
+    double angle;
+    /**
+     * Edges that are rounded, and no others: pairs of vertices; they are creases however little they bend. Default: none, all creases are. Two indices side by side.
+     */
+    struct fairmesh_indices edges;
+} fairmesh_round_options;
+
+/**
  * What remeshing does. Fill it by `fairmesh_remesh_options_init`.
  */
 typedef struct fairmesh_remesh_options {
@@ -2607,13 +2684,21 @@ typedef struct fairmesh_info {
     double dropped_area;
     /**
      * Not 0: there is nothing to be said of the whole result: what was to be faired converged without reservation, holes that were to be
-     * filled are, and not all loops were passed over as outer boundaries.
+     * filled are, and not all loops were passed over as outer boundaries; all that was to be rounded is.
      */
     uint32_t is_success;
     /**
      * Zero.
      */
     uint32_t reserved;
+    /**
+     * Of a rounded mesh its creases before, see `fairmesh_result_crease`.
+     */
+    uint64_t crease_count;
+    /**
+     * Of a rounded mesh: edges that bend by more than so many degrees were taken for creases.
+     */
+    double crease_angle;
 } fairmesh_info;
 
 /**
@@ -3170,6 +3255,48 @@ typedef struct fairmesh_bridge_report {
 } fairmesh_bridge_report;
 
 /**
+ * A crease of a mesh that was rounded, from one corner or end to the next. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_crease {
+    /**
+     * `sizeof(fairmesh_crease)`.
+     */
+    uint32_t struct_size;
+    /**
+     * Not 0: it was rounded.
+     */
+    uint32_t is_rounded;
+    /**
+     * Not 0: it was to be rounded and stays sharp, as no sound blend was found.
+     */
+    uint32_t is_unsolved;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Size of the list CREASE_VERTICES.
+     */
+    uint64_t vertex_count;
+    /**
+     * By how many degrees the surface bends there, in the mean; positive where it is convex.
+     */
+    double bend;
+    /**
+     * The least part of the width asked that there is room for along it; 1: all of it.
+     */
+    double part;
+    /**
+     * Where that is, on the crease; zero where there is room for all.
+     */
+    double narrowest[3];
+    /**
+     * Of an unsolved one the worst place of what was tried, otherwise zero.
+     */
+    double unsolved[3];
+} fairmesh_crease;
+
+/**
  * What was taken for a bump or dent. Curvatures in 1 / length. Set `struct_size` before the call.
  */
 typedef struct fairmesh_bump {
@@ -3263,6 +3390,13 @@ fairmesh_status fairmesh_fill_options_init(struct fairmesh_fill_options *options
 FAIRMESH_API
 fairmesh_status fairmesh_bridge_options_init(struct fairmesh_bridge_options *options,
                                              size_t struct_size);
+
+/**
+ * Fills options of rounding with the defaults. `struct_size` is `sizeof(fairmesh_round_options)`.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_round_options_init(struct fairmesh_round_options *options,
+                                            size_t struct_size);
 
 /**
  * Fills options of remeshing with the defaults. `struct_size` is `sizeof(fairmesh_remesh_options)`.
@@ -3605,6 +3739,21 @@ fairmesh_status fairmesh_bridge(const struct fairmesh_mesh *mesh,
                                 struct fairmesh_error *error);
 
 /**
+ * Rounds the creases of a mesh: in place of each there is a blend, tangent to the faces beside it. Outside of the blends the surface stays where it
+ * is; triangles that reach into one are cut. Vertices that are left come first, in their order, then new ones; triangles outside the blends, then
+ * those of the blends.
+ *
+ * `round` needs a width or a radius. `options` may be NULL; its normals, curvature, target, `sharp` and marked edges are not looked at. `result` gets a
+ * handle, with one report, 0, of the fairing of all blends. Free it. EMPTY_REGION where there is nothing to be rounded.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_round(const struct fairmesh_mesh *mesh,
+                               const struct fairmesh_round_options *round,
+                               const struct fairmesh_options *options,
+                               struct fairmesh_result **result,
+                               struct fairmesh_error *error);
+
+/**
  * The sizes of a result.
  */
 FAIRMESH_API
@@ -3712,6 +3861,15 @@ fairmesh_status fairmesh_result_suggestion(const struct fairmesh_result *result,
 FAIRMESH_API
 fairmesh_status fairmesh_result_bridge(const struct fairmesh_result *result,
                                        struct fairmesh_bridge_report *report,
+                                       struct fairmesh_error *error);
+
+/**
+ * A crease of a mesh that was rounded, by its number, and what became of it: `crease_count` of the info.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_crease(const struct fairmesh_result *result,
+                                       uint64_t index,
+                                       struct fairmesh_crease *crease,
                                        struct fairmesh_error *error);
 
 /**

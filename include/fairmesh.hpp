@@ -280,6 +280,10 @@ public:
     fairmesh_bridge_report bridge_report() const {
         return detail::record<fairmesh_bridge_report>(fairmesh_result_bridge, handle_);
     }
+    /** A crease of a rounded mesh: `crease_count` of the info. */
+    fairmesh_crease crease(std::uint64_t index) const {
+        return detail::record<fairmesh_crease>(fairmesh_result_crease, handle_, index);
+    }
     void positions(const fairmesh_points_out &out) const { detail::call(fairmesh_result_positions, handle_, &out); }
     std::vector<std::array<double, 3>> positions() const {
         std::vector<std::array<double, 3>> all(static_cast<std::size_t>(info().vertex_count));
@@ -686,6 +690,24 @@ inline result bridge(const fairmesh_mesh &mesh, const std::vector<std::uint32_t>
     return detail::relayed(asked, [&](const fairmesh_options *plain) {
         return detail::made(fairmesh_bridge, &mesh, &first, &second, strip, &filling, plain);
     });
+}
+
+/** fairmesh_round_options with their defaults. */
+struct round_options : fairmesh_round_options {
+    round_options() : fairmesh_round_options() {
+        detail::init(fairmesh_round_options_init, this);
+    }
+
+    /** These edges only, each by its two vertices; in place of `edges` of the C struct. */
+    std::vector<std::array<std::uint32_t, 2>> only_edges;
+};
+
+/** Blends in place of creases; see fairmesh_round. */
+inline result round(const fairmesh_mesh &mesh, const round_options &how, const options &asked = options()) {
+    fairmesh_round_options rounding = how;
+    if (!how.only_edges.empty()) rounding.edges = indices(how.only_edges.data()->data(), how.only_edges.size());
+    const fairmesh_round_options *pointer = &rounding;
+    return detail::relayed(asked, [&](const fairmesh_options *plain) { return detail::made(fairmesh_round, &mesh, pointer, plain); });
 }
 
 /** What is left of a mesh without some of its triangles. */

@@ -1,5 +1,6 @@
 //! Bands around creases, cut out of the mesh: a region to be faired.
 
+use fairmesh_linear::interrupt::checkpoint;
 use nalgebra::Vector3;
 
 use super::crease_graph::Chain;
@@ -136,6 +137,8 @@ impl Bands {
         };
         let selection = Selection::Vertices(&self.free);
         let mesh = remesh_to_lengths(&self.positions, &self.triangles, selection, &options, lengths)?;
+        // What is stopped leaves its parents out.
+        checkpoint();
         // Numbers of bands stand behind those of the mesh given.
         let mut parents = self.parents;
         let made = parents.len();

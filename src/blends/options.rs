@@ -30,9 +30,9 @@ options! {
     /// What is asked of [`round`](crate::round).
     #[derive(Debug, Clone, PartialEq)]
     RoundOptions {
-        /// How far from a crease its blend reaches, along the surface on both sides.
+        /// How far from a crease its blend reaches, along the surface on both sides. 0 (default): `radius` says it.
         width: f64 = 0.0, real "length" in 0.0..=f64::MAX, "finite and at least 0";
-        /// The radius of the ball that touches both sides where the blend begins, in place of `width`; 0 (default): the width holds.
+        /// The radius of the ball that touches both sides where the blend begins, in place of `width`. 0 (default): the width holds.
         radius: f64 = 0.0, real "length" in 0.0..=f64::MAX, "finite and at least 0";
         /// Edges that bend by more than so many degrees are creases. 0 (default): the widest gap between the bends of the mesh tells.
         angle: f64 = 0.0, real "degrees" in 0.0..=180.0, "between 0 and 180";

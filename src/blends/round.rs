@@ -20,6 +20,8 @@ use super::unsolved::give_up;
 use super::widths::Widths;
 use crate::fairing::{ProgressCallback, on_workers};
 use crate::mesh::Joined;
+use crate::mesh::coincident::Copies;
+use crate::mesh::edge_set::EdgeSet;
 use crate::mesh::halfedge::next;
 use crate::support::error::Error;
 
@@ -39,7 +41,7 @@ use crate::support::error::Error;
 /// ```
 ///
 /// # Errors
-/// [`Error::BadOption`]; [`Error::NonManifoldEdge`] and the like for a flaw anywhere; [`Error::EmptyRegion`] where there is nothing to be rounded, and
+/// [`Error::BadOption`]; [`Error::NotAnEdge`] for one that is named; [`Error::NonManifoldEdge`] and the like for a flaw anywhere; [`Error::EmptyRegion`] where there is nothing to be rounded, and
 /// those of [`fair`](crate::fair) for the bands.
 pub fn round(
     positions: &[[f64; 3]],
@@ -81,7 +83,7 @@ pub fn blend_vertices(
     options.validate()?;
     let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
     let surface = Surface::new(positions, &joined.triangles)?;
-    let graph = CreaseGraph::new(&surface, options);
+    let graph = CreaseGraph::new(&surface, &named_edges(&joined.copies, &surface, options)?);
     check_size(&surface, &graph, options)?;
     let level = level(&surface, &graph, options);
     let chosen = (0..graph.chains.len()).filter(|&c| graph.chains[c].is_chosen);
@@ -97,7 +99,7 @@ fn rounded(
     let mut telling = Telling::new(progress);
     let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
     let surface = Surface::new(positions, &joined.triangles)?;
-    let mut graph = CreaseGraph::new(&surface, options);
+    let mut graph = CreaseGraph::new(&surface, &named_edges(&joined.copies, &surface, options)?);
     check_size(&surface, &graph, options)?;
     let mut given_up = 0;
     loop {
@@ -157,6 +159,38 @@ fn check_size(surface: &Surface<'_>, graph: &CreaseGraph, options: &RoundOptions
     let length: f64 = chosen().map(|chain| chain.length(surface)).sum();
     let is_enough = PER_WIDTH * length <= MOST_POINTS * width;
     Error::check_option(name, width, is_enough, "larger, for creases as long as these")
+}
+
+/// The options, with the edges as the joined mesh has them.
+///
+/// # Errors
+/// [`Error::NotAnEdge`] for one that does not exist or has one triangle only.
+fn named_edges(
+    copies: &Copies,
+    surface: &Surface<'_>,
+    options: &RoundOptions,
+) -> Result<RoundOptions, Error> {
+    let half_edges = 0..surface.half_edges();
+    let inside = half_edges.filter(|&h| surface.across(h).is_some());
+    let all: Vec<[u32; 2]> = match options.edges.is_empty() {
+        true => Vec::new(),
+        false => inside.map(|h| [surface.origin(h), surface.target(h)]).collect(),
+    };
+    let all = EdgeSet::new(&all);
+    let count = surface.x.len() as u32;
+    let named = |&[a, b]: &[u32; 2]| {
+        let known = (a < count && b < count).then(|| [copies.smallest(a), copies.smallest(b)]);
+        known
+            .filter(|edge| all.has(edge[0], edge[1]))
+            .ok_or(Error::NotAnEdge {
+                a: a as usize,
+                b: b as usize,
+            })
+    };
+    Ok(RoundOptions {
+        edges: options.edges.iter().map(named).collect::<Result<_, _>>()?,
+        ..options.clone()
+    })
 }
 
 /// The sides of all chains, with their widths.

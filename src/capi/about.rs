@@ -5,6 +5,7 @@ use std::ffi::c_char;
 use super::guard::guarded;
 use super::option_structs::{
     fairmesh_bridge_options, fairmesh_fill_options, fairmesh_options, fairmesh_remesh_options,
+    fairmesh_round_options,
 };
 use super::texts::ANSWERS;
 use super::types::*;
@@ -62,6 +63,17 @@ pub extern "C" fn fairmesh_bridge_options_init(
 ) -> fairmesh_status {
     guarded(core::ptr::null_mut(), |_| {
         init_struct(options, struct_size, &fairmesh_bridge_options::standard())
+    })
+}
+
+/// Fills options of rounding with the defaults. `struct_size` is `sizeof(fairmesh_round_options)`.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_round_options_init(
+    options: *mut fairmesh_round_options,
+    struct_size: usize,
+) -> fairmesh_status {
+    guarded(core::ptr::null_mut(), |_| {
+        init_struct(options, struct_size, &fairmesh_round_options::standard())
     })
 }
 

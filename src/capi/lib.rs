@@ -52,6 +52,7 @@ mod report;
 #[cfg(feature = "hooks")]
 mod reserve_hooks;
 mod results;
+mod round;
 mod settings;
 mod solvers;
 mod status;
@@ -80,12 +81,13 @@ pub use log::{fairmesh_log_fn, fairmesh_set_log};
 pub use loop_choice::{fairmesh_join, fairmesh_loop_filter, fairmesh_place};
 pub use option_structs::{
     FAIRMESH_SHARP_AUTO, fairmesh_bridge_options, fairmesh_fill_options, fairmesh_options,
-    fairmesh_remesh_options,
+    fairmesh_remesh_options, fairmesh_round_options,
 };
 pub use reading::*;
 pub use refill::fairmesh_refill;
 pub use region::fairmesh_select_region;
 pub use region::{fairmesh_combine, fairmesh_region_kind, fairmesh_region_step, fairmesh_seed_kind};
+pub use round::fairmesh_round;
 pub use settings::fairmesh_setting;
 pub use status::{FAIRMESH_NO_ELEMENT, fairmesh_error};
 pub use steps::*;

@@ -27,6 +27,8 @@ const COMPONENT: u64 = 32 << 10;
 const CONTINUED: u64 = 3 << 10;
 /// Per vertex that is made.
 const MADE: u64 = 2000;
+/// Of the vertices of a blend that was expected, those that are tried.
+const TRIED: usize = 4;
 /// Per edge of loops that are joined: what they are triangulated with.
 const EDGE: u64 = 1 << 10;
 /// Per vertex of the mesh, where boundaries are relaxed: positions, rings, and fits to what is around.
@@ -149,6 +151,15 @@ pub(crate) fn of_filling(mesh: &MeshIn, patches: &PatchSizes, asked: &OptionsIn,
         + region
         + patches.vertices as u64 * MADE
         + rims
+}
+
+/// For blends of about so many vertices: what is cut out, and triangulated anew, has a few times as many.
+pub(crate) fn of_rounding(mesh: &MeshIn, vertices: usize, asked: &OptionsIn) -> u64 {
+    let most = vertices.saturating_mul(TRIED);
+    let made = (most as u64).saturating_mul(MADE);
+    of_whole_mesh(mesh, asked.threads())
+        .saturating_mul(2)
+        .saturating_add(of_region(most, 0, asked.asks_continuity()).saturating_add(made))
 }
 
 /// For finding out which loops to join.

@@ -91,6 +91,8 @@ pub enum fairmesh_status {
     NotOrientable = 41,
     /// The callback has stopped the call, which has no result then.
     Cancelled = 42,
+    /// Two vertices are named as an edge between two triangles, and are none.
+    NotAnEdge = 43,
     /// A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     Internal = 99,
 }
@@ -306,6 +308,19 @@ pub enum fairmesh_cap {
     Flat = 1,
 }
 
+/// Which creases are rounded. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_creases {
+    /// All.
+    All = 0,
+    /// Edges that stand out.
+    Convex = 1,
+    /// Edges that lie in a fold.
+    Concave = 2,
+}
+
 /// A part of space. Numbers are never reused.
 #[repr(u32)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -460,6 +475,7 @@ impl fairmesh_status {
             40 => Self::BadEdit,
             41 => Self::NotOrientable,
             42 => Self::Cancelled,
+            43 => Self::NotAnEdge,
             99 => Self::Internal,
             _ => Self::Internal,
         }

@@ -9,8 +9,8 @@ use super::status::CallResult;
 use super::types::*;
 use super::views::{Argument, Array, FieldPath, field, field_named, indices_in};
 use fairmesh::{
-    BridgeOptions, Cap, Discretization, FillOptions, InnerFairness, InteriorNormals, Intersections, OnFailure, Options, OutputPrecision,
-    RemeshOptions, Rim,
+    BridgeOptions, Cap, Creases, Discretization, FillOptions, InnerFairness, InteriorNormals, Intersections, OnFailure, Options, OutputPrecision,
+    RemeshOptions, Rim, RoundOptions,
 };
 
 /// The value of the option `sharp` at which only edges that are certain go on, in degrees.
@@ -260,6 +260,70 @@ impl fairmesh_bridge_options {
             fill: self.fill != 0,
             ..BridgeOptions::default()
         })
+    }
+}
+
+/// The lists of `RoundOptions`, checked.
+pub(crate) type RoundOptionsLists = [Array; 1];
+
+/// What rounding does. Fill it by `fairmesh_round_options_init`; then set `width` or `radius`. How blends are faired is in a `fairmesh_options`.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_round_options {
+    /// `sizeof(fairmesh_round_options)`.
+    pub struct_size: u32,
+    /// A `fairmesh_creases`: which creases are rounded. Default: all.
+    pub creases: u32,
+    /// How far from a crease its blend reaches, along the surface on both sides. 0 (default): `radius` says it.
+    pub width: f64,
+    /// The radius of the ball that touches both sides where the blend begins, in place of `width`. 0 (default): the width holds.
+    pub radius: f64,
+    /// Edges that bend by more than so many degrees are creases. 0 (default): the widest gap between the bends of the mesh tells.
+    pub angle: f64,
+    /// Edges that are rounded, and no others: pairs of vertices; they are creases however little they bend. Default: none, all creases are. Two indices side by side.
+    pub edges: fairmesh_indices,
+}
+
+impl fairmesh_round_options {
+    /// The library's defaults.
+    pub(crate) fn standard() -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            creases: fairmesh_creases::All as u32,
+            width: 0.0,
+            radius: 0.0,
+            angle: 0.0,
+            edges: fairmesh_indices::default(),
+        }
+    }
+
+    /// Where an option is in this argument.
+    pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
+        field_named!(argument, option, Self: creases width radius angle edges)
+    }
+
+    /// What needs no arrays and has no values of its own; all else as it is by default.
+    pub(crate) fn read_round_options(&self, argument: Argument) -> CallResult<RoundOptions> {
+        Ok(RoundOptions {
+            width: self.width,
+            radius: self.radius,
+            angle: self.angle,
+            creases: chosen(Creases::from_number(self.creases), self.creases, "fairmesh_creases", field!(argument, Self.creases))?,
+            ..RoundOptions::default()
+        })
+    }
+
+    /// The lists of indices, checked and not read.
+    pub(crate) fn lists(&self, argument: Argument) -> CallResult<RoundOptionsLists> {
+        Ok([
+            indices_in(&self.edges, 2, field!(argument, Self.edges))?,
+        ])
+    }
+
+    /// Reads them.
+    pub(crate) fn read_lists(lists: &RoundOptionsLists, into: &mut RoundOptions) -> CallResult {
+        into.edges = lists[0].rows::<2>()?.into_owned();
+        Ok(())
     }
 }
 

@@ -187,6 +187,21 @@ pub extern "C" fn fairmesh_result_bridge(
     })
 }
 
+/// A crease of a mesh that was rounded, by its number, and what became of it: `crease_count` of the info.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_result_crease(
+    result: *const fairmesh_result,
+    index: u64,
+    crease: *mut fairmesh_crease,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    read_result(result, error, |content, call| {
+        put_record(crease, Argument(3), call, || {
+            entry(&content.creases, index, "crease").copied()
+        })
+    })
+}
+
 /// What was taken for a bump, by its number: one for each step BUMP of `fairmesh_select_region`, in their order.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_result_bump(

@@ -276,6 +276,8 @@ pub enum fairmesh_result_kind {
     Carried = 10,
     /// Triangles chosen by place and shape.
     Region = 11,
+    /// A mesh with blends in place of creases.
+    Rounded = 12,
 }
 
 /// The sizes of a result. Set `struct_size` before the call.
@@ -309,10 +311,14 @@ pub struct fairmesh_info {
     /// Of a trimmed mesh the area of what was taken away.
     pub dropped_area: f64,
     /// Not 0: there is nothing to be said of the whole result: what was to be faired converged without reservation, holes that were to be
-    /// filled are, and not all loops were passed over as outer boundaries.
+    /// filled are, and not all loops were passed over as outer boundaries; all that was to be rounded is.
     pub is_success: u32,
     /// Zero.
     pub reserved: u32,
+    /// Of a rounded mesh its creases before, see `fairmesh_result_crease`.
+    pub crease_count: u64,
+    /// Of a rounded mesh: edges that bend by more than so many degrees were taken for creases.
+    pub crease_angle: f64,
 }
 
 /// Lists of indices in a result. The first block is of faired meshes, and of loops of filled ones.
@@ -341,16 +347,17 @@ pub enum fairmesh_list {
     LoopTouching = 33,
     /// Filled meshes: new vertices of the loop far outside its bounding box.
     OutsideVertices = 48,
-    /// Filled, bridged and remeshed meshes: per new vertex three vertices of the mesh given that it comes from. Carried points: per
+    /// Filled, bridged, remeshed and rounded meshes: per new vertex three vertices of the mesh given that it comes from. Carried points: per
     /// point the corners of the triangle that it is on.
     Parents = 49,
     /// Filled meshes: the loops that the patch is for, ascending. Joins: the loops of the group with this index, ascending.
     JoinedLoops = 50,
-    /// Remeshed meshes: the free vertices.
+    /// Remeshed meshes: the free vertices. Rounded ones: those of the blends, without their rails.
     FreeVertices = 64,
-    /// Remeshed meshes: per vertex that is left its number before.
+    /// Remeshed and rounded meshes: per vertex that is left its number before.
     KeptVertices = 65,
-    /// Remeshed, erased and trimmed meshes: per triangle that is left its number before.
+    /// Remeshed, erased and trimmed meshes: per triangle that is left its number before. Rounded ones: per triangle outside the blends, which come
+    /// last, that of the one that it is, or is a part of.
     KeptTriangles = 66,
     /// Erased meshes: the loops that the deleted triangles leave, as `fairmesh_boundary_loops` numbers those of the mesh that is left.
     ErasedLoops = 80,
@@ -367,6 +374,10 @@ pub enum fairmesh_list {
     RegionTriangles = 144,
     /// Regions: per step how many triangles it named, or how many there were after it.
     RegionCounts = 145,
+    /// Rounded meshes: the vertices of the crease with this index, one after the other, in the mesh given; those of a closed one end with the first.
+    CreaseVertices = 160,
+    /// Rounded meshes: the corners, vertices of the mesh given, that stay sharp, as no sound blend was found there: blends fade out towards them.
+    SharpCorners = 161,
 }
 
 /// Vectors in a result.
@@ -375,7 +386,7 @@ pub enum fairmesh_list {
 pub enum fairmesh_vectors {
     /// Faired meshes: the unit normals that were used at the boundary, in the order of the list BOUNDARY_VERTICES.
     BoundaryNormals = 0,
-    /// Filled, bridged and remeshed meshes: per new vertex the weights of its three parents; their sum is 1. Carried points: per point.
+    /// Filled, bridged, remeshed and rounded meshes: per new vertex the weights of its three parents; their sum is 1. Carried points: per point.
     ParentWeights = 1,
 }
 
@@ -399,6 +410,30 @@ pub enum fairmesh_text {
     Meaning = 1,
     /// What can be done about it; empty if there is nothing to do.
     Remedy = 2,
+}
+
+/// A crease of a mesh that was rounded, from one corner or end to the next. Set `struct_size` before the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_crease {
+    /// `sizeof(fairmesh_crease)`.
+    pub struct_size: u32,
+    /// Not 0: it was rounded.
+    pub is_rounded: u32,
+    /// Not 0: it was to be rounded and stays sharp, as no sound blend was found.
+    pub is_unsolved: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// Size of the list CREASE_VERTICES.
+    pub vertex_count: u64,
+    /// By how many degrees the surface bends there, in the mean; positive where it is convex.
+    pub bend: f64,
+    /// The least part of the width asked that there is room for along it; 1: all of it.
+    pub part: f64,
+    /// Where that is, on the crease; zero where there is room for all.
+    pub narrowest: [f64; 3],
+    /// Of an unsolved one the worst place of what was tried, otherwise zero.
+    pub unsolved: [f64; 3],
 }
 
 /// What was taken for a bump or dent. Curvatures in 1 / length. Set `struct_size` before the call.

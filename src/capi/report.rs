@@ -4,7 +4,7 @@ use super::status::{FAIRMESH_NO_ELEMENT, Failure, Text, fairmesh_status};
 use super::types::*;
 use fairmesh::{Attempt, ComponentReport, CreaseEnd, CurvatureContinuity};
 use fairmesh::{BoundaryLoop, FillOutcome, FlatReason, LoopKind, LoopReport, OpenReason};
-use fairmesh::{Bridged, JoinReason, JoinSuggestion};
+use fairmesh::{Bridged, CreaseChain, JoinReason, JoinSuggestion};
 use fairmesh::{Bump, Outcome, Report, Rim, Roughness, SharpEdge};
 
 /// The report of a fairing.
@@ -259,6 +259,21 @@ fn named(reason: &OpenReason) -> [u64; 2] {
         | OpenReason::Hanging { vertex } => [u64::from(*vertex), FAIRMESH_NO_ELEMENT],
         OpenReason::OppositeSides { a, b } => [*a as u64, *b as u64],
         _ => [FAIRMESH_NO_ELEMENT; 2],
+    }
+}
+
+pub(crate) fn crease(of: &CreaseChain) -> fairmesh_crease {
+    let narrowed = of.narrowed;
+    fairmesh_crease {
+        struct_size: size_of::<fairmesh_crease>() as u32,
+        is_rounded: u32::from(of.is_rounded),
+        is_unsolved: u32::from(of.unsolved.is_some()),
+        reserved: 0,
+        vertex_count: of.vertices.len() as u64,
+        bend: of.bend,
+        part: narrowed.map_or(1.0, |of| of.part),
+        narrowest: narrowed.map_or([0.0; 3], |of| of.place),
+        unsolved: of.unsolved.unwrap_or_default(),
     }
 }
 

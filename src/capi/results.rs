@@ -35,6 +35,7 @@ pub(crate) struct Content {
     pub fill_reports: Vec<fairmesh_fill_report>,
     pub suggestions: Vec<fairmesh_join_suggestion>,
     pub bumps: Vec<fairmesh_bump>,
+    pub creases: Vec<fairmesh_crease>,
     pub bridge: Option<fairmesh_bridge_report>,
 }
 
@@ -206,7 +207,7 @@ impl Content {
             5 => |of| report::intersections(of).as_flattened(),
             6 => report::creased,
             7 => return Ok(report::sharp_vertices(&self.report(index)?.sharp_edges).into()),
-            16 | 32 | 33 | 48..=50 | 64..=66 | 80 | 96 | 112 | 113 | 128 | 144 | 145 => {
+            16 | 32 | 33 | 48..=50 | 64..=66 | 80 | 96 | 112 | 113 | 128 | 144 | 145 | 160 | 161 => {
                 return Err(not_available("such list"));
             }
             _ => return Err(unknown(which, "fairmesh_list")),

@@ -160,6 +160,7 @@ impl From<Error> for Failure {
             Error::NonManifoldEdge { a, b, .. }
             | Error::InconsistentOrientation { a, b, .. }
             | Error::BadGuide { a, b, .. }
+            | Error::NotAnEdge { a, b }
             | Error::GuidesCross { first: [a, b], .. } => failure.at(Edge, a).and(b),
             Error::NotFinite { vertex }
             | Error::CoordinateTooLarge { vertex, .. }

@@ -3,6 +3,7 @@
 use super::edits::{fairmesh_budget, fairmesh_bulge_range, fairmesh_frame};
 use super::option_structs::{
     fairmesh_bridge_options, fairmesh_fill_options, fairmesh_options, fairmesh_remesh_options,
+    fairmesh_round_options,
 };
 use super::status::fairmesh_error;
 use super::structs::Versioned;
@@ -31,6 +32,8 @@ versioned! {
     fairmesh_fill_options 64 + 9 * WORD,
     fairmesh_remesh_options 24,
     fairmesh_bridge_options 16,
+    fairmesh_round_options 32 + 3 * WORD,
+    fairmesh_crease 88,
     fairmesh_bridge_report 24,
     fairmesh_loop 56,
     fairmesh_fill_report 104,

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use fairmesh::{
     BridgeOptions, FillOptions, OptionDefault, OptionEntry, OptionKind, Options, RemeshOptions, Rim,
+    RoundOptions,
 };
 
 use crate::tables::variant;
@@ -20,8 +21,8 @@ use super::status::CallResult;
 use super::types::*;
 use super::views::{Argument, Array, FieldPath, field, field_named, indices_in};
 use fairmesh::{
-    BridgeOptions, Cap, Discretization, FillOptions, InnerFairness, InteriorNormals, Intersections, OnFailure, Options, OutputPrecision,
-    RemeshOptions, Rim,
+    BridgeOptions, Cap, Creases, Discretization, FillOptions, InnerFairness, InteriorNormals, Intersections, OnFailure, Options, OutputPrecision,
+    RemeshOptions, Rim, RoundOptions,
 };
 ";
 
@@ -57,7 +58,7 @@ macro_rules! structs {
 }
 
 /// All of them.
-pub fn all() -> [OptionStruct; 4] {
+pub fn all() -> [OptionStruct; 5] {
     structs! {
         /// What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.
         fairmesh_options: Options = Options::schema() => {
@@ -79,6 +80,8 @@ pub fn all() -> [OptionStruct; 4] {
         }
         /// What a bridge shall be. Fill it by `fairmesh_bridge_options_init`. How dense it is, and what becomes of one that is not fair, is in a `fairmesh_fill_options`.
         fairmesh_bridge_options: BridgeOptions = BridgeOptions::schema() => {}
+        /// What rounding does. Fill it by `fairmesh_round_options_init`; then set `width` or `radius`. How blends are faired is in a `fairmesh_options`.
+        fairmesh_round_options: RoundOptions = RoundOptions::schema() => {}
         /// What remeshing does. Fill it by `fairmesh_remesh_options_init`.
         fairmesh_remesh_options: RemeshOptions = RemeshOptions::schema() => {
             /// Called with the progress; may be NULL, the default. Where it stops the call, the status is CANCELLED.

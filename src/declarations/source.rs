@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// The names of these files, in the order of the header.
-pub const SOURCES: [&str; 24] = [
+pub const SOURCES: [&str; 25] = [
     "numbers",
     "texts",
     "status",
@@ -27,6 +27,7 @@ pub const SOURCES: [&str; 24] = [
     "carry_over",
     "region",
     "bridge",
+    "round",
     "reading",
 ];
 

@@ -1,9 +1,9 @@
 //! All tables of the library, under the names that the C interface gives their enumerations.
 
 use fairmesh::{
-    AttemptEnd, BoundaryNormals, Cap, Coincident, Discretization, Entry, Error, FillOutcome, FlatReason,
-    GapKind, InnerFairness, InteriorNormals, Intersections, Join, LoopKind, LooseReason, OnFailure,
-    OpenReason, Outcome, OutputPrecision, Place, SharpFate, Target,
+    AttemptEnd, BoundaryNormals, Cap, Coincident, Creases, Discretization, Entry, Error, FillOutcome,
+    FlatReason, GapKind, InnerFairness, InteriorNormals, Intersections, Join, LoopKind, LooseReason,
+    OnFailure, OpenReason, Outcome, OutputPrecision, Place, SharpFate, Target,
 };
 
 #[path = "../capi/statuses.rs"]
@@ -89,6 +89,8 @@ pub fn all() -> Vec<Table> {
         fairmesh_on_failure: OnFailure::TABLE;
         /// What closes a loop that lies in a plane.
         fairmesh_cap: Cap::TABLE;
+        /// Which creases are rounded.
+        fairmesh_creases: Creases::TABLE;
         /// A part of space.
         fairmesh_place_kind: &[statuses::EVERYWHERE], Place::TABLE;
         /// Where the normals at the boundary of the region come from.

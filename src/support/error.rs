@@ -179,6 +179,14 @@ pub enum Error {
         /// What is wrong there.
         why: &'static str,
     },
+    /// What is named as an edge that two triangles share is none.
+    #[error("({a}, {b}) is no edge between two triangles")]
+    NotAnEdge {
+        /// One vertex, as given.
+        a: usize,
+        /// The other one.
+        b: usize,
+    },
     /// An edit of a solver cannot be made.
     #[error("edit {edit}{}: {why}", vertex.map_or(String::new(), |v| format!(", vertex {v}")))]
     BadEdit {
@@ -290,6 +298,8 @@ table!(Error {
         "an edit of a solver has a number that is not finite, or moves a free vertex", "name fixed vertices";
     41 "not_orientable" Error::NotOrientable { .. } =>
         "a component has one side only, as a Moebius strip", "cut it open, or leave it out";
+    43 "not_an_edge" Error::NotAnEdge { .. } =>
+        "two vertices are named as an edge between two triangles, and are none", "name neighbouring vertices";
 });
 
 impl Error {
@@ -348,6 +358,7 @@ impl Error {
             | Self::MaskLength { .. }
             | Self::BadOption { .. }
             | Self::BadGuide { .. }
+            | Self::NotAnEdge { .. }
             | Self::GuidesCross { .. }
             | Self::BadChain { .. }
             | Self::NoBump { .. }

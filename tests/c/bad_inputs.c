@@ -838,6 +838,7 @@ static void check_result(fairmesh_result *r, int32_t wanted, const char *what) {
     SIZED(fairmesh_fill_report, filled);
     SIZED(fairmesh_join_suggestion, suggestion);
     SIZED(fairmesh_bridge_report, bridged);
+    SIZED(fairmesh_crease, crease);
     fairmesh_error e;
     memset(&report, 0x5a, sizeof report);
     report.struct_size = sizeof report;
@@ -853,6 +854,7 @@ static void check_result(fairmesh_result *r, int32_t wanted, const char *what) {
     expect_handle(fairmesh_result_fill_report(r, 0, &filled, &e), &e, wanted, what);
     expect_handle(fairmesh_result_suggestion(r, 0, &suggestion, &e), &e, wanted, what);
     expect_handle(fairmesh_result_bridge(r, &bridged, &e), &e, wanted, what);
+    expect_handle(fairmesh_result_crease(r, 0, &crease, &e), &e, wanted, what);
     expect_handle(fairmesh_result_positions(r, &points, &e), &e, wanted, what);
     expect_handle(fairmesh_result_triangles(r, &triangles, &e), &e, wanted, what);
     expect_handle(fairmesh_result_scalars(r, 0, &scalars, &e), &e, wanted, what);

@@ -846,6 +846,63 @@ static void bridges(void) {
     free(ball);
 }
 
+/* A crease of a box that was rounded: the edge from one corner to another. */
+static void check_crease(const fairmesh_result *result, uint64_t index) {
+    SIZED(fairmesh_crease, crease);
+    size_t size;
+    uint32_t *along = list_of(result, FAIRMESH_LIST_CREASE_VERTICES, index, &size);
+    OK(fairmesh_result_crease(result, index, &crease, &error));
+    CHECK(crease.vertex_count == 2 && size == 2 && along[0] != along[1]);
+    CHECK(fabs(crease.bend - 90) < 1e-9 && !crease.is_unsolved && crease.part == 1);
+    free(along);
+}
+
+/* An edge of a box; what cannot be. */
+static void rounding(void) {
+    static double corners[24];
+    static const uint32_t faces[36] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                                       2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+    static const uint32_t edge[2] = {0, 1}, nowhere[2] = {0, 8};
+    fairmesh_options options = quick();
+    fairmesh_round_options how;
+    fairmesh_result *result = NULL;
+    SIZED(fairmesh_mesh, box);
+    SIZED(fairmesh_crease, crease);
+    size_t k, size;
+    for (k = 0; k < 24; k++) corners[k] = (k / 3) >> (k % 3) & 1 ? 1 : -1;
+    box.positions = points_of(corners, 8);
+    box.triangles = indices_of(faces, 12);
+    OK(fairmesh_round_options_init(&how, sizeof how));
+    CHECK(how.width == 0 && how.radius == 0 && how.creases == FAIRMESH_CREASES_ALL);
+    CHECK(fairmesh_round(&box, &how, &options, &result, &error) == FAIRMESH_STATUS_BAD_OPTION);
+    CHECK(error.element == 2 && error.other == offsetof(fairmesh_round_options, width));
+    how.width = 0.6;
+    how.edges = indices_of(edge, 1);
+    OK(fairmesh_round(&box, &how, &options, &result, &error));
+    fairmesh_info info = info_of(result);
+    CHECK(info.kind == FAIRMESH_RESULT_KIND_ROUNDED && info.is_success && info.crease_count == 12 && info.crease_angle < 90);
+    CHECK(info.triangle_count > info.new_triangle_count && report_of(result, 0).outcome == FAIRMESH_OUTCOME_CONVERGED);
+    for (k = size = 0; k < 12; k++) {
+        check_crease(result, k);
+        OK(fairmesh_result_crease(result, k, &crease, &error));
+        size += crease.is_rounded;
+    }
+    CHECK(size == 1 && size_of_list(result, FAIRMESH_LIST_KEPT_VERTICES, 0) >= 6);
+    CHECK(fairmesh_result_crease(result, 12, &crease, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(size_of_list(result, FAIRMESH_LIST_SHARP_CORNERS, 0) == 0);
+    CHECK(size_of_list(result, FAIRMESH_LIST_FREE_VERTICES, 0) > 50);
+    CHECK(size_of_list(result, FAIRMESH_LIST_KEPT_TRIANGLES, 0) == info.triangle_count - info.new_triangle_count);
+    OK(fairmesh_result_free(result));
+    how.edges = indices_of(nowhere, 1);
+    CHECK(fairmesh_round(&box, &how, &options, &result, &error) == FAIRMESH_STATUS_NOT_AN_EDGE);
+    CHECK(error.element_kind == FAIRMESH_ELEMENT_EDGE && error.element == 0 && error.other == 8);
+    how.edges = indices_of(NULL, 0);
+    how.creases = FAIRMESH_CREASES_CONCAVE;
+    CHECK(fairmesh_round(&box, &how, &options, &result, &error) == FAIRMESH_STATUS_EMPTY_REGION);
+    how.creases = 3;
+    CHECK(fairmesh_round(&box, &how, &options, &result, &error) == FAIRMESH_STATUS_BAD_ENUM);
+}
+
 /* What stays of the mesh when these faces are erased, and the loop that they leave. */
 static size_t erased_from(const Cap *cap, const fairmesh_indices *faces, uint32_t *hole, uint32_t *corners) {
     fairmesh_result *erased = NULL;
@@ -1772,6 +1829,7 @@ int main(void) {
     remeshing();
     joins();
     bridges();
+    rounding();
     erasing();
     erasing_and_cleaning();
     trimming();

@@ -160,6 +160,23 @@ static void bridge(Scene *s) {
     made(s, fairmesh_bridge(&ball.mesh, &from, &to, &how, NULL, &s->options, &result, &error));
 }
 
+/* One edge of a box. */
+static void rounding(Scene *s) {
+    static double corners[24];
+    static const uint32_t faces[36] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                                       2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+    fairmesh_round_options how;
+    SIZED(fairmesh_mesh, box);
+    size_t k;
+    for (k = 0; k < 24; k++) corners[k] = (k / 3) >> (k % 3) & 1 ? 1 : -1;
+    box.positions = points_of(corners, 8);
+    box.triangles = indices_of(faces, 12);
+    OK(fairmesh_round_options_init(&how, sizeof how));
+    how.width = 0.6;
+    how.edges = indices_of(both, 1);
+    made(s, fairmesh_round(&box, &how, &s->options, &result, &error));
+}
+
 static void suggest(Scene *s) {
     static Ball ball;
     ball_make(&ball);
@@ -333,6 +350,7 @@ int main(int count, char **arguments) {
     every_allocation(&s, suggest, "suggest joins", 7 * by);
     every_allocation(&s, join, "join", 29 * by);
     every_allocation(&s, bridge, "bridge", 97 * by);
+    every_allocation(&s, rounding, "round", 997 * by);
     s.joins_itself = 1;
     every_allocation(&s, join, "join by itself", 97 * by);
     free(s.out);

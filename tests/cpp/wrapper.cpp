@@ -318,6 +318,23 @@ void bridging() {
     check_whole_sphere(fairmesh::fill_holes(ball.mesh, fill));
 }
 
+void rounding() {
+    std::vector<std::array<double, 3>> corners;
+    for (int v = 0; v < 8; v++) corners.push_back({v & 1 ? 1.0 : -1.0, v & 2 ? 1.0 : -1.0, v & 4 ? 1.0 : -1.0});
+    const std::vector<std::array<std::uint32_t, 3>> faces{{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                                                          {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    const auto box = fairmesh::mesh(corners, faces);
+    fairmesh::round_options how;
+    how.width = 0.2;
+    const auto all = fairmesh::round(box, how);
+    CHECK(all.info().is_success && all.info().crease_count == 12 && all.crease(11).is_rounded);
+    how.only_edges = {{{0, 1}}, {{1, 3}}};
+    const auto two = fairmesh::round(box, how);
+    std::uint32_t rounded = 0;
+    for (std::uint64_t k = 0; k < 12; k++) rounded += two.crease(k).is_rounded;
+    CHECK(rounded == 2);
+}
+
 void erasing() {
     auto s = cap(15);
     std::vector<std::uint32_t> dent;
@@ -418,6 +435,7 @@ int main() {
     holes();
     joins();
     bridging();
+    rounding();
     erasing();
     regions();
     trimming();
