@@ -257,6 +257,7 @@ fn run<'a>(
     solutions[0].seconds.setup = setup;
     if let Some(parted) = &sharp.parted {
         parted.restore(&mut solutions);
+        parted.judge_between(positions, &mut solutions);
     }
     sharp.judge(&mut solutions);
     let mut solution = whole(positions, triangles, options, &solutions);

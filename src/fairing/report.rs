@@ -169,6 +169,39 @@ impl Outcome {
         }
     }
 
+    /// A success, or one with other poor triangles, becomes one with this poor triangle.
+    pub(crate) fn reserve_triangle(&mut self, triangle: u32) {
+        match self {
+            Self::ConvergedPoorTriangles { triangles } | Self::PoorWhenRounded { triangles } => {
+                triangles.push(triangle);
+                triangles.sort_unstable();
+            }
+            _ if self.is_tolerance_met() => {
+                *self = Self::ConvergedPoorTriangles {
+                    triangles: vec![triangle],
+                };
+            }
+            _ => {}
+        }
+    }
+
+    /// A success, or a surface with creases elsewhere, becomes one with a crease at this vertex.
+    pub(crate) fn reserve_crease(&mut self, vertex: u32) {
+        match self {
+            Self::BoundaryCrease { vertices } => {
+                vertices.push(vertex);
+                vertices.sort_unstable();
+                vertices.dedup();
+            }
+            Self::Converged | Self::ConvergedLoosely { .. } | Self::NearestMember { .. } => {
+                *self = Self::BoundaryCrease {
+                    vertices: vec![vertex],
+                };
+            }
+            _ => {}
+        }
+    }
+
     /// Tolerance met, with whatever reservation.
     pub(crate) fn is_tolerance_met(&self) -> bool {
         matches!(

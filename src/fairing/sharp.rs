@@ -1,6 +1,7 @@
 //! Sharp edges that reach the boundary of a region: boundary data, which goes on inside.
 
 mod along_chain;
+mod between;
 mod boundary_corner;
 mod branch;
 mod corners;

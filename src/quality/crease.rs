@@ -33,6 +33,13 @@ pub(crate) fn is_too_wide(kink: f64, expected: f64) -> bool {
     kink > KINK.max(expected + EXCESS)
 }
 
+/// Whether a side of a surface that was another one before has a crease against the outside. The normals have any length; without one there is
+/// no side.
+pub(crate) fn is_creased(now: &Vector3<f64>, before: &Vector3<f64>, outside: &Vector3<f64>) -> bool {
+    let is_any = [now, outside].iter().all(|side| side.norm_squared() > 0.0);
+    is_any && is_too_wide(degrees(now, outside), degrees(before, outside).min(KINK))
+}
+
 /// The angles at one boundary vertex, in degrees.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Kink {

@@ -492,3 +492,38 @@ fn divided_holes_keep_limits_and_units() {
         }
     }
 }
+
+/// Beside the boundary an edge that goes on leaves triangles without a vertex that is free: they have moved, too, and are told of.
+#[test]
+fn triangles_between_an_edge_and_the_boundary_are_judged() {
+    let (mut positions, triangles) = cube(8);
+    let all = || positions.iter().flatten().copied();
+    let (low, high) = (all().fold(f64::MAX, f64::min), all().fold(f64::MIN, f64::max));
+    let h = (high - low) / 8.0;
+    let place = |p: &[f64; 3]| p.map(|x| ((x - low) / h).round() as i32);
+    let is_free = |p: &[f64; 3]| matches!(place(p), [2..=6, 0..=3, 0]);
+    let free: Vec<bool> = positions.iter().map(is_free).collect();
+    for p in &mut positions {
+        match place(p) {
+            // Fixed, in its plane, near the edge.
+            [4, 0, 1] => p[2] = low + 0.05 * h,
+            _ if is_free(p) => p[1] += 0.2 * h,
+            _ => {}
+        }
+    }
+    let solution = fair(&positions, &triangles, Selection::Mask(&free), &sharp_options()).unwrap();
+    let edges = &solution.report.sharp_edges;
+    assert!(
+        edges.iter().any(|edge| edge.fate == SharpFate::GoesOn),
+        "{edges:?}"
+    );
+    let moved = triangles.iter().filter(|t| t.iter().any(|&v| free[v as usize]));
+    let angle = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(|v| vector(&solution.positions[v as usize]));
+        let at = |[p, q, r]: [nalgebra::Vector3<f64>; 3]| (q - p).angle(&(r - p)).to_degrees();
+        at([a, b, c]).min(at([b, c, a])).min(at([c, a, b]))
+    };
+    let worst = moved.map(angle).fold(f64::MAX, f64::min);
+    assert!(worst < 6.0);
+    assert_below!((solution.report.quality.worst_angle - worst).abs(), 1e-9);
+}

@@ -21,14 +21,14 @@ pub(super) struct Followed {
 
 /// The mesh with copies of the vertices on creases.
 pub(crate) struct PartedProblem {
-    positions: Vec<[f64; 3]>,
-    triangles: Vec<[u32; 3]>,
-    is_free: Vec<bool>,
-    normals: Vec<(u32, [f64; 3])>,
+    pub(super) positions: Vec<[f64; 3]>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    pub(super) is_free: Vec<bool>,
+    pub(super) normals: Vec<(u32, [f64; 3])>,
     /// What the last vertices are copies of.
     copy_of: Vec<u32>,
     /// The vertices that were free, on the creases.
-    placed: Vec<(u32, [f64; 3])>,
+    pub(super) placed: Vec<(u32, [f64; 3])>,
 }
 
 impl PartedProblem {
@@ -55,6 +55,7 @@ impl PartedProblem {
         let on_cut = cut.iter().flatten().copied().collect::<HashSet<u32>>();
         let beside = near.into_iter().filter(|(v, _)| !on_cut.contains(v));
         problem.normals.extend(beside);
+        problem.normals.sort_by_key(|(v, _)| *v);
         for &(v, at) in &problem.placed {
             problem.positions[v as usize] = at;
             problem.is_free[v as usize] = false;
@@ -104,7 +105,7 @@ impl PartedProblem {
         }
     }
 
-    fn original(&self, v: u32) -> u32 {
+    pub(super) fn original(&self, v: u32) -> u32 {
         let vertices = self.positions.len() - self.copy_of.len();
         let copy = (v as usize).checked_sub(vertices);
         copy.map_or(v, |copy| self.copy_of[copy])

@@ -158,7 +158,15 @@ impl<'a> Membrane<'a> {
             path.truncate(k);
             end.drain(..e);
         } else {
-            let reach = self.reach(path.pop()?, end[0], costs, &self.on(branch));
+            let from = path.pop()?;
+            // Along fixed vertices both ends may leave the region.
+            if [from, end[0]]
+                .iter()
+                .any(|&v| v as usize >= self.domain.region.region_vertices())
+            {
+                return None;
+            }
+            let reach = self.reach(from, end[0], costs, &self.on(branch));
             path.extend(self.shortened(reach.path(end[0])?));
             path.pop();
         }
