@@ -10,7 +10,7 @@ use fairmesh::{
 use crate::explain;
 use crate::failure::Failure;
 use crate::formats::MeshFile;
-use crate::formats::carry::Carry;
+use crate::formats::carry::{Carry, middles};
 use crate::selected::Selected;
 
 /// The mesh without the components of fewer than `least` triangles, and how many these are.
@@ -128,11 +128,7 @@ impl Without {
     /// The places of what was added to a mesh of so many triangles.
     pub fn carried(&self, filled: &Filled, triangles: usize) -> Result<Places, fairmesh::Error> {
         let was = &self.was.geometry;
-        let middle = |t: &[u32; 3]| {
-            let corners = t.map(|v| filled.positions[v as usize]);
-            [0, 1, 2].map(|k| corners.iter().map(|p| p[k]).sum::<f64>() / 3.0)
-        };
-        let middles: Vec<[f64; 3]> = filled.triangles[triangles..].iter().map(middle).collect();
+        let middles = middles(&filled.positions, &filled.triangles[triangles..]);
         let places = |points: &[[f64; 3]]| carry_over(&was.positions, &was.triangles, &self.gone, points);
         let old = filled.positions.len() - filled.parents.len();
         Ok([places(&filled.positions[old..])?, places(&middles)?])

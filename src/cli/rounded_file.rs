@@ -5,7 +5,7 @@ use std::path::Path;
 use fairmesh::{Carried, Parents, Rounded, carry_over};
 
 use crate::failure::Failure;
-use crate::formats::carry::Carry;
+use crate::formats::carry::{Carry, middles};
 use crate::formats::{Added, Format, Geometry, MeshFile, plain};
 use crate::patches::MarkArgs;
 
@@ -139,10 +139,6 @@ impl Faces {
             carry_over(&given.positions, &given.triangles, &among, points)
                 .unwrap_or_else(|_| vec![None; points.len()])
         };
-        let middle = |t: &[u32; 3]| {
-            let corners = t.map(|v| rounded.positions[v as usize]);
-            [0, 1, 2].map(|k| corners.iter().map(|p| p[k]).sum::<f64>() / 3.0)
-        };
         let part = |&triangle: &u32| {
             let parents = Parents {
                 vertices: given.triangles[triangle as usize],
@@ -150,7 +146,7 @@ impl Faces {
             };
             Some(Carried { triangle, parents })
         };
-        let blends: Vec<[f64; 3]> = self.new[self.parts.len()..].iter().map(middle).collect();
+        let blends = middles(&rounded.positions, &self.new[self.parts.len()..]);
         let mut faces: Vec<Option<Carried>> = self.parts.iter().map(part).collect();
         faces.extend(places(&blends));
         [places(&rounded.positions[rounded.kept_vertices.len()..]), faces]

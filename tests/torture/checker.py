@@ -113,8 +113,11 @@ def moved_points(old: File, new: File) -> np.ndarray | None:
     return moved if np.array_equal(moved[old_corners], new_corners, equal_nan=True) else None
 
 
-def judge_fair(before: Path, after: Path, free: np.ndarray, report: dict, name: str, normals: str) -> Findings:
-    """All that is wrong with a fairing that was written, given that its report says what it says."""
+def judge_fair(before: Path, after: Path, free: np.ndarray, report: dict, name: str, averaged: bool) -> Findings:
+    """All that is wrong with a fairing that was written, given that its report says what it says.
+
+    `averaged`: its boundary normals are the averages of the triangles outside.
+    """
     old = read(before)
     try:
         new = read(after)
@@ -133,21 +136,21 @@ def judge_fair(before: Path, after: Path, free: np.ndarray, report: dict, name: 
     inside, outside = triangles[touched.any(1)], triangles[~touched.any(1)]
     # The surface passes an island, it does not end there.
     outside = without_islands(inside, outside)
-    findings += figures(x, inside, outside, report, normals)
+    findings += figures(x, inside, outside, report, averaged)
     if success(report):
         findings += sound(old.points, x, inside, outside)
         findings += new_crossings(old.points, x, triangles, np.flatnonzero(touched.any(1)), report)
     return findings
 
 
-def figures(x: np.ndarray, inside: np.ndarray, outside: np.ndarray, report: dict, normals: str) -> Findings:
+def figures(x: np.ndarray, inside: np.ndarray, outside: np.ndarray, report: dict, averaged: bool) -> Findings:
     """The report's figures are those of the file."""
     findings = []
     quality = report["quality"]
     found, told = float(smallest_angles(x, inside).min()), quality["worst_angle"]
     if told is None or abs(found - told) > ANGLE_ERROR + ANGLE_ERROR * found:
         findings.append(("figures", f"smallest angle {told} reported, {found:.6g} in the file"))
-    if normals == "averaged":
+    if averaged:
         # Then the deviation is the kink to the outside triangles, where a vertex has any.
         at, angles = kinks(x, inside, outside)
         told = quality["normal_deviation"]

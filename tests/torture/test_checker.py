@@ -44,7 +44,7 @@ def forged(tmp_path: Path, change, form: str = FORM, **report) -> set[str]:
     told = {"outcome": "converged", "quality": {"worst_angle": float(smallest_angles(y, triangles[inside]).min())}}
     told["quality"]["normal_deviation"] = 180.0
     told.update(report)
-    return {kind for kind, _ in judge_fair(before, after, numbers[free], told, form, "averaged")}
+    return {kind for kind, _ in judge_fair(before, after, numbers[free], told, form, True)}
 
 
 @pytest.mark.parametrize("form", FORMATS)

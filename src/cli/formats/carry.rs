@@ -73,6 +73,15 @@ impl Carry<'_> {
     }
 }
 
+/// The middles of triangles.
+pub fn middles(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<[f64; 3]> {
+    let middle = |t: &[u32; 3]| {
+        let corners = t.map(|v| positions[v as usize]);
+        [0, 1, 2].map(|k| corners.iter().map(|p| p[k]).sum::<f64>() / 3.0)
+    };
+    triangles.iter().map(middle).collect()
+}
+
 /// Per triangle the number of its chart.
 fn charts(triangles: &[[u32; 3]], wedges: &[Option<Corners>]) -> Vec<usize> {
     // Sides with the coordinates of their ends, in the order of these, so that both triangles have the same.
