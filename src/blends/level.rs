@@ -6,8 +6,9 @@ use super::chain_curve::ChainCurve;
 
 /// Edges across a blend, at least.
 const PARTS: f64 = 6.0;
-/// By how much a blend turns at most at each edge across, in radians: 20 degrees. At 15 the blend of a wedge of 30 degrees between its faces does not
-/// converge (its triangles are too small beside the rails); at 28, and without a bound, two of 47 solids that were cut from each other do not.
+/// By how much a blend turns at most at each edge across, in radians: 20 degrees. At 15 a prism with edges of 15 degrees between their faces stays
+/// sharp at two corners and an edge (its triangles are too small beside the rails); at 28, and without a bound, of eight solids with such edges, cut
+/// from each other, two more do not converge.
 const TURN: f64 = 0.35;
 /// Widths below this part of the largest of a side count as that: towards an end they vanish.
 const LEAST: f64 = 0.1;
