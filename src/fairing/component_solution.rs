@@ -1,6 +1,7 @@
 //! What came of one component, in the host's numbers and units.
 
-use super::report::{ComponentReport, Outcome, Seconds};
+use super::outcome::Outcome;
+use super::report::{ComponentReport, Seconds};
 use crate::paper::LevelReport;
 
 /// One component, faired.

@@ -10,6 +10,7 @@ mod joined;
 mod normalization;
 mod normals;
 mod options;
+mod outcome;
 mod prepared;
 mod report;
 mod sharp;
@@ -44,10 +45,11 @@ pub use edit::{Budget, Edit, Frame};
 pub(crate) use joined::{in_given, joined_options};
 pub use normals::{BoundaryNormals, InteriorNormals};
 pub use options::{Discretization, InnerFairness, Intersections, Options, OutputPrecision, SolverKind};
+pub use outcome::{LooseReason, Outcome};
 use prepared::Prepared;
 pub use report::{
-    Attempt, AttemptEnd, ComponentReport, LooseReason, Outcome, Progress, ProgressCallback, Report, Seconds,
-    SelfIntersections, Solution,
+    Attempt, AttemptEnd, ComponentReport, Progress, ProgressCallback, Report, Seconds, SelfIntersections,
+    Solution,
 };
 use sharp::SharpEdges;
 pub use sharp::crease_ends;

@@ -55,11 +55,11 @@ impl SharpEdges {
         let given = GivenNormals::new(&options.boundary_normals);
         let outside = Outside::new(positions, triangles, &is_free, &options.marked_edges);
         let least = least_angle(options);
-        let mut ends = ends::crease_ends(&outside, least);
-        ends.retain(|end| !given.has(end.vertex));
         let mut told = Vec::new();
         let mut creases = Vec::new();
         for component in components {
+            let mut ends = ends::crease_ends(&outside, boundary(&component.domain.region), least);
+            ends.retain(|end| !given.has(end.vertex));
             follow(
                 (component, &options.marked_edges),
                 &ends,
@@ -112,21 +112,17 @@ fn follow(
     told: &mut Vec<SharpEdge>,
     creases: &mut Vec<Followed>,
 ) {
-    let region = &component.domain.region;
-    let boundary = &region.vertex_ids[region.free..region.region_vertices()];
-    let own = ends.iter().filter(|end| boundary.contains(&end.vertex));
-    let own: Vec<CreaseEnd> = own.cloned().collect();
-    if own.is_empty() {
+    if ends.is_empty() {
         return;
     }
     let mut membrane = Membrane::new(&component.domain, positions, marked);
-    for group in grouped(&own, positions) {
+    for group in grouped(ends, positions) {
         let paths = match group.branches.is_empty() {
             true => None,
             false => membrane.as_mut().and_then(|membrane| membrane.paths(&group)),
         };
         told.push(SharpEdge {
-            ends: group.ends.iter().map(|&e| own[e].clone()).collect(),
+            ends: group.ends.iter().map(|&e| ends[e].clone()).collect(),
             fate: SharpFate::of(group.branches.len(), paths.is_some()),
             vertices: vertices(paths.as_deref().unwrap_or_default()),
         });
@@ -138,6 +134,11 @@ fn follow(
 fn vertices(paths: &[Path]) -> Vec<u32> {
     let all = paths.iter().flat_map(|path| &path.vertices);
     all.copied().collect()
+}
+
+/// The fixed vertices of triangles with a free one of this region.
+fn boundary(region: &RegionMesh) -> Vec<u32> {
+    region.vertex_ids[region.free..region.region_vertices()].to_vec()
 }
 
 /// Which of so many vertices are free in any of the regions.
@@ -159,7 +160,7 @@ pub(crate) fn creases_around(
     let outside = Outside::around(positions, triangles, is_boundary, &options.marked_edges);
     let given = GivenNormals::new(&options.boundary_normals);
     let least = least_angle(options);
-    let mut ends = ends::crease_ends(&outside, least);
+    let mut ends = ends::crease_ends(&outside, outside.boundary(), least);
     ends.retain(|end| !given.has(end.vertex));
     let crease = |group: Group| {
         let own: Vec<CreaseEnd> = group.ends.iter().map(|&e| ends[e].clone()).collect();
@@ -236,5 +237,8 @@ pub fn crease_ends(
     )?;
     let is_free = free(positions.len(), &regions.iter().collect::<Vec<_>>());
     let outside = Outside::new(positions, &joined.triangles, &is_free, &[]);
-    Ok(ends::crease_ends(&outside, least))
+    let of = |region: &RegionMesh| ends::crease_ends(&outside, boundary(region), least);
+    let mut ends: Vec<CreaseEnd> = regions.iter().flat_map(of).collect();
+    ends.sort_by_key(|end| end.vertex);
+    Ok(ends)
 }

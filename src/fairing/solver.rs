@@ -14,8 +14,9 @@ use super::joined::{in_given, joined_curvature, joined_loops, joined_normals, jo
 use super::normals::BoundaryNormals;
 use super::normals::GivenNormals;
 use super::options::{Options, SolverKind};
+use super::outcome::Outcome;
 use super::prepared::{Prepared, regions};
-use super::report::{Outcome, ProgressCallback, Solution};
+use super::report::{ProgressCallback, Solution};
 use super::whole_solution::whole;
 use crate::discrete::target::Target;
 use crate::fairing::component_weights::ComponentWeights;

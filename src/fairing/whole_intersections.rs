@@ -2,7 +2,8 @@
 
 use super::component_solution::ComponentSolution;
 use super::options::{Intersections, Options};
-use super::report::{ComponentReport, Outcome, SelfIntersections};
+use super::outcome::Outcome;
+use super::report::{ComponentReport, SelfIntersections};
 use crate::intersections::of_some;
 use crate::support::profile::clock;
 

@@ -2,7 +2,8 @@
 
 use super::component_solution::ComponentSolution;
 use super::options::Options;
-use super::report::{ComponentReport, Outcome, Report, Seconds, Solution};
+use super::outcome::Outcome;
+use super::report::{ComponentReport, Report, Seconds, Solution};
 use super::whole_intersections::Crossings;
 use crate::paper::LevelReport;
 use crate::quality::Quality;

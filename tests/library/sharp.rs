@@ -4,8 +4,8 @@ use crate::fairing::*;
 use crate::regions::cube;
 use crate::tier::tier;
 use fairmesh::{
-    FillOptions, Loops, LooseReason, Options, Outcome, Selection, SharpFate, Solution, boundary_loops, fair,
-    fill_holes,
+    Coincident, FillOptions, Loops, LooseReason, Options, Outcome, Selection, SharpFate, Solution,
+    boundary_loops, crease_ends, fair, fill_holes,
 };
 use fairmesh_shapes::*;
 
@@ -294,6 +294,32 @@ fn a_corner_at_the_boundary_starts_an_edge() {
     assert_success(&solution.report.outcome);
     let off = |p: &[f64; 3]| p.iter().copied().fold(f64::MAX, f64::min).abs();
     assert_below!(solution.positions.iter().map(off).fold(0.0, f64::max), 1e-9);
+}
+
+/// Stairs with two regions on edges beside each other: neither edge is the other one's.
+#[test]
+fn regions_near_to_each_other_have_ends_of_their_own() {
+    const LONG: u32 = 45;
+    let at = |v: u32| {
+        let (x, k) = (f64::from(v % LONG), v / LONG);
+        let uneven = 1e-3 * f64::from(v * v % 7);
+        [x, f64::from(k.div_ceil(2)) + uneven, -f64::from(k / 2) - uneven]
+    };
+    let positions: Vec<[f64; 3]> = (0..6 * LONG).map(at).collect();
+    let cells = (0..5).flat_map(|k| (0..LONG - 1).map(move |i| k * LONG + i));
+    let cell = |v: u32| [[v, v + 1, v + LONG + 1], [v, v + LONG + 1, v + LONG]];
+    let triangles: Vec<[u32; 3]> = cells.flat_map(cell).collect();
+    let free: Vec<u32> = [LONG + 16, 3 * LONG + 20]
+        .into_iter()
+        .flat_map(|v| v..v + 3)
+        .collect();
+    let selection = Selection::Vertices(&free);
+    let mut ends = crease_ends(&positions, &triangles, selection, Coincident::default(), 20.0).unwrap();
+    ends.retain(|end| [1, 3].contains(&(end.vertex / LONG)));
+    assert_eq!(
+        ends.iter().map(|end| end.vertex).collect::<Vec<_>>(),
+        [LONG + 15, LONG + 19, 3 * LONG + 19, 3 * LONG + 23]
+    );
 }
 
 /// Nothing is left to be solved, and there is no problem without free vertices.

@@ -45,10 +45,11 @@ const FIRST_BEND: f64 = 0.5;
 /// A chain turns by no more than this from edge to edge, degrees.
 const TURN: f64 = 50.0;
 
-/// The ends of creases of at least so many degrees at the boundary of the region of the free vertices, by their vertices.
-pub(crate) fn crease_ends(outside: &Outside<'_>, least: f64) -> Vec<CreaseEnd> {
-    let boundary = (0..outside.is_boundary.len() as u32).filter(|&v| outside.is_boundary[v as usize]);
-    let found = boundary.filter_map(|v| end_at(outside, v, least));
+/// The ends of creases of at least so many degrees at the boundary vertices of one component, by their vertices: one crease may end at another
+/// component a few edges on.
+pub(crate) fn crease_ends(outside: &Outside<'_>, mut boundary: Vec<u32>, least: f64) -> Vec<CreaseEnd> {
+    boundary.sort_unstable();
+    let found = boundary.into_iter().filter_map(|v| end_at(outside, v, least));
     without_doubles(outside, found.collect())
 }
 
@@ -325,7 +326,11 @@ mod tests {
         let mut all = shape.clone();
         all.free.fill(true);
         let x = all.noise(seed, noise);
-        crease_ends(&Outside::new(&x, &shape.triangles, &shape.free, &[]), 20.0)
+        ends_around(&Outside::new(&x, &shape.triangles, &shape.free, &[]), 20.0)
+    }
+
+    fn ends_around(outside: &Outside<'_>, least: f64) -> Vec<CreaseEnd> {
+        crease_ends(outside, outside.boundary(), least)
     }
 
     #[test]
@@ -378,7 +383,7 @@ mod tests {
         ] {
             let shape = tube(sides);
             let outside = Outside::new(&shape.positions, &shape.triangles, &shape.free, &[]);
-            assert_eq!(crease_ends(&outside, least).len(), count, "{sides} {least}");
+            assert_eq!(ends_around(&outside, least).len(), count, "{sides} {least}");
         }
     }
 
@@ -386,7 +391,7 @@ mod tests {
     fn vertices_without_a_place_hide_no_edge() {
         let shape = piece(Creased::CappedCylinder, 1);
         let outside = Outside::new(&shape.positions, &shape.triangles, &shape.free, &[]);
-        let end = &crease_ends(&outside, 20.0)[0];
+        let end = &ends_around(&outside, 20.0)[0];
         let beside = |v: &u32| {
             let around = outside.within(*v, 2).vertices;
             !around
@@ -397,7 +402,7 @@ mod tests {
         for v in near.into_iter().filter(beside) {
             let mut positions = shape.positions.clone();
             positions[v as usize] = [f64::NAN; 3];
-            let ends = crease_ends(
+            let ends = ends_around(
                 &Outside::new(&positions, &shape.triangles, &shape.free, &[]),
                 20.0,
             );
@@ -453,7 +458,7 @@ mod tests {
         });
         let triangles: Vec<[u32; 3]> = wall.chain(end).collect();
         let free: Vec<bool> = (0..=4 * count).map(|v| v == 4 * count).collect();
-        let ends = crease_ends(&Outside::new(&x, &triangles, &free, &[]), Options::SHARP_AUTO);
+        let ends = ends_around(&Outside::new(&x, &triangles, &free, &[]), Options::SHARP_AUTO);
         assert_eq!(ends, []);
     }
 
@@ -491,7 +496,7 @@ mod tests {
         let x: Vec<[f64; 3]> = (0..3 * count).map(at).collect();
         let free: Vec<bool> = (0..3 * count).map(|v| (count..count + 4).contains(&v)).collect();
         let triangles: Vec<[u32; 3]> = triangles.collect();
-        let ends = crease_ends(&Outside::new(&x, &triangles, &free, &[]), Options::SHARP_AUTO);
+        let ends = ends_around(&Outside::new(&x, &triangles, &free, &[]), Options::SHARP_AUTO);
         let [first, last] = [count + 4, 2 * count - 1];
         assert_eq!(
             ends.iter().map(|end| end.vertex).collect::<Vec<_>>(),

@@ -68,6 +68,12 @@ impl<'a> Outside<'a> {
         }
     }
 
+    /// All boundary vertices, ascending.
+    pub(super) fn boundary(&self) -> Vec<u32> {
+        let is_boundary = |v: &u32| self.is_boundary[*v as usize];
+        (0..self.is_boundary.len() as u32).filter(is_boundary).collect()
+    }
+
     pub(super) fn position(&self, v: u32) -> Vector3<f64> {
         Vector3::from(self.positions[v as usize])
     }
