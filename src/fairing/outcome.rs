@@ -17,7 +17,7 @@ pub enum Outcome {
     },
     /// Tolerance met and no triangle is poor, but triangles of the surface intersect each other or the rest of the mesh.
     SelfIntersecting {
-        /// How many pairs; [`Report::self_intersections`] names them.
+        /// How many pairs; [`Report::self_intersections`](crate::Report::self_intersections) names them.
         pairs: usize,
     },
     /// Tolerance met and no triangle is poor, but something else is to be said of the surface.
