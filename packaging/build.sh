@@ -47,7 +47,7 @@ build() {
         ;;
     macos-*) [ "$(uname -s)" = Darwin ] || install_apple_linker "$triple" ;;
     # All browsers have SIMD since 2023, Node since 16.4: a third less time, and the same bits.
-    wasm32) RUSTFLAGS="$RUSTFLAGS -C target-feature=+simd128" ;;
+    wasm32) RUSTFLAGS="$RUSTFLAGS -C target-feature=+simd128 -C link-arg=--strip-all" ;;
     windows-*)
         need x86_64-w64-mingw32-gcc gcc-mingw-w64-x86-64
         RUSTFLAGS="$RUSTFLAGS -C link-arg=-Wl,--no-insert-timestamp"

@@ -1,6 +1,7 @@
 /**
  * Makes the shapes of the page: node shapes.mjs PROGRAM HEAD.FIF FOLDER. Surfaces by the command line; the head from a file of the Python
- * package MNE. Each becomes NAME.bin.gz: four counts, then positions (double), normals given (vertex, then x, y, z as doubles), corners, and free vertices.
+ * package MNE. Each becomes NAME.bin.gz: four counts, then positions (double), normals given (vertex, then x, y, z as doubles), corners, and free vertices,
+ * these two as differences.
  * The first one is there faired, too, as NAME-faired.bin.gz with positions alone (float): the page shows it before its own solver is awake.
  */
 
@@ -75,11 +76,17 @@ function scanned(path) {
     return made;
 }
 
-const zipped = (arrays) => gzipSync(Buffer.concat(arrays.map((array) => Buffer.from(array.buffer))), { level: 9 });
+/** The first bytes of all numbers, then the second ones: bytes of one kind are compressed by a third more. */
+function planes(array) {
+    const [bytes, size] = [new Uint8Array(array.buffer), array.BYTES_PER_ELEMENT];
+    return Buffer.from(bytes.map((_, at) => bytes[(at % array.length) * size + Math.floor(at / array.length)]));
+}
+const differences = (array) => array.map((number, k) => number - (k === 0 ? 0 : array[k - 1]));
+const zipped = (arrays) => gzipSync(Buffer.concat(arrays.map(planes)), { level: 9 });
 
 function packed({ positions, triangles, free, normals }) {
     const counts = Uint32Array.of(positions.length / 3, normals.length, triangles.length / 3, free.length);
-    const arrays = [counts, Float64Array.from(positions), Float64Array.from(normals.flat()), Uint32Array.from(triangles), Uint32Array.from(free)];
+    const arrays = [counts, Float64Array.from(positions), Float64Array.from(normals.flat()), differences(Uint32Array.from(triangles)), differences(Uint32Array.from(free))];
     return zipped(arrays);
 }
 

@@ -41,24 +41,47 @@ export function startWorker(): Worker {
     return worker;
 }
 
+/** An array of numbers. */
+interface ArrayType<T> {
+    new (data: ArrayBuffer): T;
+    BYTES_PER_ELEMENT: number;
+}
+
+/** Takes arrays out of what shapes.mjs has packed, one after the other: the first bytes of all numbers, then the second ones. */
+function unpacked(data: ArrayBuffer): <T>(type: ArrayType<T>, count: number) => T {
+    const packed = new Uint8Array(data);
+    let at = 0;
+    return (Type, count) => {
+        const size = Type.BYTES_PER_ELEMENT;
+        const bytes = new Uint8Array(count * size);
+        for (let k = 0; k < size; k++) {
+            for (let i = 0; i < count; i++) bytes[i * size + k] = packed[at++]!;
+        }
+        return new Type(bytes.buffer);
+    };
+}
+
+/** Adds up numbers of which the differences are given. */
+function summed(array: Uint32Array): Uint32Array {
+    for (let k = 1; k < array.length; k++) array[k]! += array[k - 1]!;
+    return array;
+}
+
 /** The shape that the page begins with, and its positions when it is faired. */
 export const FIRST: ShapeName = "blend";
-export const faired = async (): Promise<Float64Array> => Float64Array.from(new Float32Array(await bytes(`${FIRST}-faired`)));
+export async function faired(): Promise<Float64Array> {
+    const data = await bytes(`${FIRST}-faired`);
+    return Float64Array.from(unpacked(data)(Float32Array, data.byteLength / 4));
+}
 
 /** Unpacks a shape, in the order in which shapes.mjs has packed it. */
 export async function shape(name: ShapeName): Promise<Shape> {
-    const data = await bytes(name);
-    const [vertexCount, normalCount, triangleCount, freeCount] = new Uint32Array(data, 0, 4) as unknown as [number, number, number, number];
-    let at = 16;
-    const next = <T>(Type: { new (data: ArrayBuffer, at: number, count: number): T; BYTES_PER_ELEMENT: number }, count: number): T => {
-        const array = new Type(data, at, count);
-        at += count * Type.BYTES_PER_ELEMENT;
-        return array;
-    };
+    const next = unpacked(await bytes(name));
+    const [vertexCount, normalCount, triangleCount, freeCount] = next(Uint32Array, 4) as unknown as [number, number, number, number];
     const positions = next(Float64Array, 3 * vertexCount);
     const told = next(Float64Array, 4 * normalCount);
-    const triangles = next(Uint32Array, 3 * triangleCount);
-    const free = next(Uint32Array, freeCount);
+    const triangles = summed(next(Uint32Array, 3 * triangleCount));
+    const free = summed(next(Uint32Array, freeCount));
     const vertices = Uint32Array.from({ length: normalCount }, (_, k) => told[4 * k]!);
     const vectors = Float64Array.from({ length: 3 * normalCount }, (_, k) => told[4 * Math.floor(k / 3) + 1 + (k % 3)]!);
     return { positions, triangles, free, normals: normalCount === 0 ? null : { vertices, vectors } };
