@@ -1,8 +1,11 @@
 //! Bands around creases, cut out of the mesh: a region to be faired.
 
+use std::collections::BTreeMap;
+
 use fairmesh_linear::interrupt::checkpoint;
 use nalgebra::Vector3;
 
+use super::chords::divide_chords;
 use super::crease_graph::Chain;
 use super::cut::Cut;
 use super::face_normals::FaceNormals;
@@ -13,10 +16,11 @@ use super::stopped::tell;
 use super::surface::Surface;
 use super::telling::Telling;
 use crate::fairing::{
-    BoundaryNormals, Coincident, Options, Outcome, Report, Selection, Solution, fair_within,
+    BoundaryNormals, Coincident, GivenCrease, Options, Outcome, Report, Selection, Solution, fair_along,
 };
 use crate::holes::{Lengths, Parents, RemeshOptions, compose, remesh_to_lengths};
 use crate::mesh::NONE;
+use crate::mesh::parted::part;
 use crate::support::error::Error;
 
 /// The mesh with bands that are cut out.
@@ -36,6 +40,8 @@ pub(super) struct Bands {
     normals: Vec<(u32, [f64; 3])>,
     /// Edges of creases that are not rounded, where they arrive at rails.
     creases: Vec<[u32; 2]>,
+    /// The edges with which blends end at faces across from them.
+    arcs: Vec<GivenCrease>,
     /// Per vertex how long edges are to be there.
     lengths: Vec<f64>,
     angle: f64,
@@ -44,13 +50,13 @@ pub(super) struct Bands {
 }
 
 impl Bands {
-    pub(super) fn new(cut: &Cut<'_>, normals: &FaceNormals<'_>) -> Self {
+    pub(super) fn new(cut: &Cut<'_>, normals: &FaceNormals<'_>, arcs: Vec<GivenCrease>) -> Self {
         let sheet = &cut.sheet;
         let count = sheet.x.len();
         let is_free = |v: &u32| cut.value[*v as usize] < 0.0;
         let there = (0..sheet.triangles.len()).filter(|&t| sheet.is_there(t as u32));
         let (band, mut faces): (Vec<usize>, Vec<usize>) = there.partition(|&t| cut.is_band[t]);
-        faces.sort_by_key(|&t| sheet.source[t]);
+        faces.sort_unstable_by_key(|&t| (sheet.source[t], t));
         let of_band = || band.iter().flat_map(|&t| sheet.triangles[t]);
         let mut is_in_band = vec![false; count];
         of_band().for_each(|v| is_in_band[v as usize] = true);
@@ -61,6 +67,9 @@ impl Bands {
             vertex,
             place: (place + normals.surface.centre).into(),
         };
+        let mut creases = rails.creases(cut, &faces);
+        let is_of_arc = |v: &u32| arcs.iter().flat_map(|of| &of.ends).any(|end| end.vertex == *v);
+        creases.retain(|edge| !edge.iter().any(is_of_arc));
         let is_given = |v: u32| (v as usize) < normals.surface.x.len() && !is_free(&v);
         Self {
             positions: sheet.x.iter().map(|&p| p.into()).collect(),
@@ -73,7 +82,8 @@ impl Bands {
                 .filter(|v| is_in_band[*v as usize] && is_free(v))
                 .collect(),
             normals: all.clone().filter_map(normal).collect(),
-            creases: rails.creases(cut, &faces),
+            creases,
+            arcs,
             lengths: all.map(|v| cut.wanted(v).unwrap_or(0.0)).collect(),
             angle: normals.graph.least,
             chains: normals
@@ -104,14 +114,15 @@ impl Bands {
         for _ in 0..AGAIN {
             let is_good = is_sound(&solution);
             // A surface that is not sound bends anyhow.
-            let finer = is_good.then(|| lengths(&solution.positions, &bands.triangles, bands.sources.len()));
-            if finer == Some(None) {
-                break;
-            }
             let smooth = Self {
                 positions: solution.positions.clone(),
                 ..bands.clone()
             };
+            let parted = smooth.clone().parted().0;
+            let finer = is_good.then(|| lengths(&parted.positions, &parted.triangles, bands.sources.len()));
+            if finer == Some(None) {
+                break;
+            }
             let next = smooth.remeshed(given.len(), finer.flatten().as_deref());
             // What cannot be triangulated once more stays as it is.
             match next.and_then(|next| Ok((next.solve(options, telling)?, next))) {
@@ -125,8 +136,59 @@ impl Bands {
         Ok(bands.assemble(given, centre, solution.report))
     }
 
+    /// Parted along arcs, where vertices get copies for each side: what these are of. The vertices there are not free.
+    fn parted(mut self) -> (Self, Vec<u32>) {
+        let of_arc = |arc: &GivenCrease| {
+            [&arc.vertices, &arc.ends[0].chains[0], &arc.ends[1].chains[0]].map(Clone::clone)
+        };
+        let lines: Vec<Vec<u32>> = self.arcs.iter().flat_map(of_arc).collect();
+        let steps = lines.iter().flat_map(|line| line.windows(2));
+        let cut: Vec<[u32; 2]> = steps.map(|step| [step[0], step[1]]).collect();
+        let parted = part(self.positions.len(), &self.triangles, &cut);
+        self.triangles = parted.triangles;
+        for &v in &parted.copy_of {
+            let v = v as usize;
+            self.positions.push(self.positions[v]);
+            self.given.push(NONE);
+            self.parents.push(self.parents[v]);
+            self.lengths.push(self.lengths[v]);
+        }
+        let on_arcs = self.on_arcs();
+        self.free.retain(|v| on_arcs.binary_search(v).is_err());
+        (self, parted.copy_of)
+    }
+
+    /// Which arc each of their vertices is on, and which of its vertices it is.
+    fn places_on_arcs(&self) -> BTreeMap<u32, (usize, usize)> {
+        let of_arc = |(a, arc): (usize, &GivenCrease)| {
+            let all = arc.vertices.clone().into_iter().enumerate();
+            all.map(move |(i, v)| (v, (a, i)))
+        };
+        self.arcs.iter().enumerate().flat_map(of_arc).collect()
+    }
+
+    /// The vertices that lie on arcs, ascending.
+    fn on_arcs(&self) -> Vec<u32> {
+        let inside = |arc: &GivenCrease| arc.vertices[1..arc.vertices.len() - 1].to_vec();
+        let mut all: Vec<u32> = self.arcs.iter().flat_map(inside).collect();
+        all.sort_unstable();
+        all
+    }
+
     /// With a new triangulation of the bands, edges no longer than these where vertices are free; the mesh given has so many vertices.
     fn remeshed(self, given: usize, finer: Option<&[f64]>) -> Result<Self, Error> {
+        let whole = self.positions.len();
+        let (this, copy_of) = self.parted();
+        this.remeshed_sides((whole, &copy_of), given, finer)
+    }
+
+    /// The same of a mesh that is parted, with copies behind the vertices of the whole; they are one again in the result.
+    fn remeshed_sides(
+        self,
+        (whole, copy_of): (usize, &[u32]),
+        given: usize,
+        finer: Option<&[f64]>,
+    ) -> Result<Self, Error> {
         let options = RemeshOptions {
             coincident: Coincident::Separate,
             ..RemeshOptions::default()
@@ -136,9 +198,19 @@ impl Bands {
             inside: &|v| finer.map_or(f64::INFINITY, |of| of[v as usize]),
         };
         let selection = Selection::Vertices(&self.free);
-        let mesh = remesh_to_lengths(&self.positions, &self.triangles, selection, &options, lengths)?;
+        let mut mesh = remesh_to_lengths(&self.positions, &self.triangles, selection, &options, lengths)?;
         // What is stopped leaves its parents out.
         checkpoint();
+        let original = |v: u32| {
+            copy_of
+                .get((v as usize).wrapping_sub(whole))
+                .copied()
+                .unwrap_or(v)
+        };
+        let places = self.places_on_arcs();
+        let place = |before: u32| places.get(&original(before)).copied();
+        divide_chords(&mut mesh, self.sources.len(), &place);
+        let on_arcs = self.on_arcs();
         // Numbers of bands stand behind those of the mesh given.
         let mut parents = self.parents;
         let made = parents.len();
@@ -150,7 +222,17 @@ impl Bands {
         let kept = || mesh.kept_vertices.iter().map(|&v| v as usize);
         let new = mesh.positions.len() - mesh.kept_vertices.len();
         let moved = |v: u32| mesh.kept_vertices.binary_search(&v).ok().map(|new| new as u32);
-        let whole = Self {
+        let joined = |v: u32| {
+            let before = mesh.kept_vertices.get(v as usize);
+            before.and_then(|&before| moved(original(before))).unwrap_or(v)
+        };
+        let arc = |arc: &GivenCrease| renumbered(arc, &moved);
+        let free = mesh
+            .free
+            .iter()
+            .copied()
+            .chain(on_arcs.iter().filter_map(|&v| moved(v)));
+        let result = Self {
             given: kept().map(|v| self.given[v]).chain(vec![NONE; new]).collect(),
             parents: kept()
                 .map(|v| parents[v])
@@ -167,12 +249,13 @@ impl Bands {
                 .iter()
                 .filter_map(|&[a, b]| Some([moved(a)?, moved(b)?]))
                 .collect(),
+            arcs: self.arcs.iter().filter_map(arc).collect(),
             positions: mesh.positions,
-            triangles: mesh.triangles,
-            free: mesh.free,
+            triangles: mesh.triangles.iter().map(|t| t.map(joined)).collect(),
+            free: free.collect(),
             ..self
         };
-        Ok(whole.compacted())
+        Ok(result.compacted())
     }
 
     /// In the numbers of the result: vertices given that stay, then the others; none without a triangle.
@@ -189,17 +272,22 @@ impl Bands {
         let order: Vec<usize> = stays.into_iter().chain(moves).collect();
         let mut number = vec![NONE; count];
         (0..).zip(&order).for_each(|(new, &v)| number[v] = new);
-        let renumbered = |v: u32| number[v as usize];
-        let mut free: Vec<u32> = self.free.iter().map(|&v| renumbered(v)).collect();
+        let new = |v: u32| number[v as usize];
+        let mut free: Vec<u32> = self.free.iter().map(|&v| new(v)).collect();
         free.sort_unstable();
         Self {
             positions: order.iter().map(|&v| self.positions[v]).collect(),
             given: order.iter().map(|&v| self.given[v]).collect(),
             parents: order.iter().map(|&v| self.parents[v]).collect(),
             lengths: order.iter().map(|&v| self.lengths[v]).collect(),
-            triangles: self.triangles.iter().map(|t| t.map(renumbered)).collect(),
-            normals: self.normals.iter().map(|&(v, n)| (renumbered(v), n)).collect(),
-            creases: self.creases.iter().map(|edge| edge.map(renumbered)).collect(),
+            triangles: self.triangles.iter().map(|t| t.map(new)).collect(),
+            normals: self.normals.iter().map(|&(v, n)| (new(v), n)).collect(),
+            creases: self.creases.iter().map(|edge| edge.map(new)).collect(),
+            arcs: self
+                .arcs
+                .iter()
+                .filter_map(|arc| renumbered(arc, &|v| Some(new(v))))
+                .collect(),
             free,
             ..self
         }
@@ -212,11 +300,11 @@ impl Bands {
             marked_edges: self.creases.clone(),
             ..options.clone()
         };
-        fair_within(
+        fair_along(
             &self.positions,
             &self.triangles,
             Selection::Vertices(&self.free),
-            &fairing,
+            (&fairing, &self.arcs),
             &mut telling.fairing(),
         )
     }
@@ -241,6 +329,18 @@ impl Bands {
             report,
         }
     }
+}
+
+/// In other numbers; `None` where a vertex has none.
+fn renumbered(arc: &GivenCrease, new: &impl Fn(u32) -> Option<u32>) -> Option<GivenCrease> {
+    let all = |of: &[u32]| of.iter().map(|&v| new(v)).collect::<Option<Vec<u32>>>();
+    let mut arc = arc.clone();
+    arc.vertices = all(&arc.vertices)?;
+    for end in &mut arc.ends {
+        end.vertex = new(end.vertex)?;
+        end.chains = end.chains.iter().map(|chain| all(chain)).collect::<Option<_>>()?;
+    }
+    Some(arc)
 }
 
 /// Times that bands are triangulated once more.

@@ -29,7 +29,8 @@ pub(super) fn corners(surface: &Surface<'_>, graph: &CreaseGraph) -> (Vec<Corner
             [all[0], all[all.len() - 1]].map(|e| e == h || surface.across(e) == Some(h))
         };
         // `h` begins at the corner, `other` ends there; along the right side of a chain both run against it.
-        if is_end(a, h)[a as usize % 2]
+        if a != b
+            && is_end(a, h)[a as usize % 2]
             && is_end(b, other)[1 - b as usize % 2]
             && !graph.chains[a as usize / 2].is_closed
         {

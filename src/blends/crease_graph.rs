@@ -161,7 +161,7 @@ fn gap(bends: &[f64]) -> f64 {
     let mut all: Vec<f64> = bends.iter().map(|b| b.abs()).filter(|b| *b > SMOOTH).collect();
     all.push(SMOOTH);
     all.push(180.0);
-    all.sort_by(f64::total_cmp);
+    all.sort_unstable_by(f64::total_cmp);
     let pairs = all
         .windows(2)
         .map(|pair| (pair[1] / pair[0], (pair[0] * pair[1]).sqrt()));

@@ -153,6 +153,11 @@ impl<'a> Cut<'a> {
         self.wait(t);
     }
 
+    /// Halves an edge.
+    pub(super) fn halve(&mut self, h: u32) {
+        self.split(h, 0.5);
+    }
+
     fn wait(&mut self, t: u32) {
         if !std::mem::replace(&mut self.is_waiting[t as usize], true) {
             self.waiting.push(t);
@@ -237,7 +242,7 @@ impl<'a> Cut<'a> {
                 }
             });
             ways.retain(|way| way.0 < SNAP * wanted);
-            ways.sort_by(|a, b| a.0.total_cmp(&b.0));
+            ways.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             if let Some(&(_, g, t)) = ways.iter().find(|way| self.can_slide(way.1, way.2, wanted)) {
                 let v = self.sheet.origin(g);
                 self.sheet.slide(g, t);

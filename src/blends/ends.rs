@@ -1,8 +1,9 @@
-//! Where bands fade out: chains end there and no other one goes on, or their corner stays sharp.
+//! Where bands fade out: chains end there and no other one goes on, nor is there a face to run through to, or their corner stays sharp.
 
 use super::corners::next_crease;
 use super::crease_graph::{Chain, CreaseGraph};
 use super::surface::Surface;
+use super::through::Through;
 
 /// Over so many widths a band fades out.
 const FADE: f64 = 2.0;
@@ -47,7 +48,7 @@ impl<'a> Ends<'a> {
     }
 
     /// By how much the width of a chain's band grows per length from its beginning and from its end on, where the band fades out.
-    pub(super) fn slopes(&self, chain: &Chain) -> [Option<f64>; 2] {
+    pub(super) fn slopes(&self, chain: &Chain, through: &[Through]) -> [Option<f64>; 2] {
         let surface = self.surface;
         let last = chain.half_edges[chain.half_edges.len() - 1];
         // Half-edges that leave the corner and arrive there.
@@ -58,7 +59,8 @@ impl<'a> Ends<'a> {
         let ends = chain.ends(surface);
         [0, 1].map(|k| {
             let v = ends[k] as usize;
-            let fades = self.meet[v] == 1 || self.is_boundary[v] || self.graph.is_sharp(ends[k]);
+            let goes_on = self.meet[v] > 1 || through.iter().any(|of| of.vertex == ends[k]);
+            let fades = !goes_on || self.is_boundary[v] || self.graph.is_sharp(ends[k]);
             (fades && !chain.is_closed).then(|| self.slope(ends[k], ways[k]))
         })
     }

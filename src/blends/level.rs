@@ -47,6 +47,7 @@ pub(super) struct Entry {
 /// All sides and corners.
 pub(super) struct Level {
     pub(super) curves: Vec<ChainCurve>,
+    /// Two of each curve, in their order, then those on faces across from ends.
     pub(super) sides: Vec<Side>,
     /// Sorted by their sides.
     pub(super) corners: Vec<Corner>,

@@ -1,7 +1,9 @@
 //! Creases become blends: bands around them, cut out along rails, triangulated anew and faired.
 
+mod arcs;
 mod bands;
 mod chain_curve;
+mod chords;
 mod corners;
 mod crease_ends;
 mod crease_graph;
@@ -19,6 +21,7 @@ mod sheet;
 mod stopped;
 mod surface;
 mod telling;
+mod through;
 mod tidy;
 mod unsolved;
 mod widths;

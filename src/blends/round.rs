@@ -3,6 +3,7 @@
 use fairmesh_linear::interrupt::unless_stopped;
 use nalgebra::Vector3;
 
+use super::arcs::{arcs, divide};
 use super::bands::Bands;
 use super::chain_curve::{ChainCurve, PER_WIDTH};
 use super::corners::corners;
@@ -15,6 +16,7 @@ use super::rounded::Rounded;
 use super::sheet::Sheet;
 use super::surface::Surface;
 use super::telling::Telling;
+use super::through::{Through, through};
 use super::tidy::tidy;
 use super::unsolved::give_up;
 use super::widths::Widths;
@@ -85,7 +87,7 @@ pub fn blend_vertices(
     let surface = Surface::new(positions, &joined.triangles)?;
     let graph = CreaseGraph::new(&surface, &named_edges(&joined.copies, &surface, options)?);
     check_size(&surface, &graph, options)?;
-    let level = level(&surface, &graph, options);
+    let level = level(&surface, &graph, &through(&surface, &graph), options);
     let chosen = (0..graph.chains.len()).filter(|&c| graph.chains[c].is_chosen);
     Ok(chosen.map(|c| level.vertices(c)).sum::<f64>() as usize)
 }
@@ -103,13 +105,14 @@ fn rounded(
     check_size(&surface, &graph, options)?;
     let mut given_up = 0;
     loop {
-        let level = level(&surface, &graph, options);
-        let cut = cut_out(positions.len(), &joined.triangles, &surface, &graph, &level);
+        let through = through(&surface, &graph);
+        let level = level(&surface, &graph, &through, options);
+        let cut = cut_out((&surface, &joined.triangles), &graph, &through, &level);
         let normals = FaceNormals {
             surface: &surface,
             graph: &graph,
         };
-        let bands = Bands::new(&cut, &normals);
+        let bands = Bands::new(&cut, &normals, arcs(&cut, &through, &normals));
         let rounded = bands.fair(positions, &surface.centre, &options.fairing, &mut telling)?;
         if given_up == GIVEN_UP || !give_up(&mut graph, &surface, &level, &rounded) {
             return Ok(rounded);
@@ -121,14 +124,14 @@ fn rounded(
 /// Times that what is not sound stays sharp, and the rest is done again.
 const GIVEN_UP: usize = 4;
 
-/// Bands along the creases chosen, cut out; of the mesh given there are so many vertices.
+/// Bands along the creases chosen, cut out.
 fn cut_out<'l>(
-    given: usize,
-    triangles: &[[u32; 3]],
-    surface: &Surface<'_>,
+    (surface, triangles): (&Surface<'_>, &[[u32; 3]]),
     graph: &'l CreaseGraph,
+    through: &[Through],
     level: &'l Level,
 ) -> Cut<'l> {
+    let given = surface.x.len();
     let sheet = Sheet::new(
         surface.x.clone(),
         triangles.to_vec(),
@@ -136,7 +139,9 @@ fn cut_out<'l>(
     );
     let mut cut = Cut::new(sheet, level, &graph.faces);
     seed(&mut cut, surface, graph);
+    seed_across(&mut cut, surface, graph, through);
     cut.spread();
+    divide(&mut cut, through);
     cut.cut(given);
     tidy(&mut cut, given);
     cut
@@ -194,7 +199,7 @@ fn named_edges(
 }
 
 /// The sides of all chains, with their widths.
-fn level(surface: &Surface<'_>, graph: &CreaseGraph, options: &RoundOptions) -> Level {
+fn level(surface: &Surface<'_>, graph: &CreaseGraph, through: &[Through], options: &RoundOptions) -> Level {
     let base = options.radius.max(options.width);
     let curve = |chain: &Chain| {
         let bends: Vec<f64> = chain.half_edges.iter().map(|&h| graph.bend(surface, h)).collect();
@@ -204,17 +209,18 @@ fn level(surface: &Surface<'_>, graph: &CreaseGraph, options: &RoundOptions) -> 
     let (corners, angles) = corners(surface, graph);
     let mut widths = Widths::asked(&curves, options);
     let least = widths.fit(surface, graph, &curves, &angles);
-    widths.fade(surface, graph, &curves);
+    widths.fade(surface, graph, &curves, through);
     let mut sides = Vec::new();
-    for ((number, chain), widths) in (0..).zip(&graph.chains).zip(widths.0) {
-        let widest = widths.iter().copied().fold(0.0, f64::max);
-        sides.extend(graph.beside(chain, surface).map(|face| Side {
-            face,
-            curve: number,
-            widest,
-            widths: widths.clone(),
-        }));
+    let side = |face: u32, curve: usize| Side {
+        face,
+        curve: curve as u32,
+        widest: widths.0[curve].iter().copied().fold(0.0, f64::max),
+        widths: widths.0[curve].clone(),
+    };
+    for (number, chain) in graph.chains.iter().enumerate() {
+        sides.extend(graph.beside(chain, surface).map(|face| side(face, number)));
     }
+    sides.extend(through.iter().map(|of| side(of.face, of.chain)));
     Level {
         curves,
         sides,
@@ -248,5 +254,15 @@ fn seed(cut: &mut Cut<'_>, surface: &Surface<'_>, graph: &CreaseGraph) {
                 cut.seed(next(o), 2 * number + 1, at);
             }
         }
+    }
+}
+
+/// Tells the ends of chains that they are on the faces across from them.
+fn seed_across(cut: &mut Cut<'_>, surface: &Surface<'_>, graph: &CreaseGraph, through: &[Through]) {
+    for (side, of) in (2 * graph.chains.len() as u32..).zip(through) {
+        let last = cut.level.curves[of.chain].points.len() - 1;
+        let at = [0, last][of.end] as f64;
+        let around = surface.links.outgoing.row(of.vertex as usize);
+        around.iter().take(1).for_each(|&h| cut.seed(h, side, at));
     }
 }

@@ -46,7 +46,8 @@ pub(super) fn tell(
 /// The crease along `h` ends where `h` starts.
 fn end(facets: &Facets<'_>, h: u32) -> Option<SharpEdge> {
     let (o, bend) = (facets.links.across(h)?, facets.bend(h)?);
-    let normals = [h, o].map(|g| facets.cross(g).normalize());
+    // The crease runs against `h`.
+    let normals = [o, h].map(|g| facets.cross(g).normalize());
     let v = facets.links.origin(h);
     let away = facets.at(facets.links.origin(previous(o))) - facets.at(v);
     let end = CreaseEnd {
@@ -55,7 +56,7 @@ fn end(facets: &Facets<'_>, h: u32) -> Option<SharpEdge> {
         curvature: [0.0; 3],
         curvature_error: f64::INFINITY,
         normals: normals.map(Into::into),
-        angle: if normals[0].dot(&away) <= 0.0 { bend } else { -bend },
+        angle: if normals[1].dot(&away) <= 0.0 { bend } else { -bend },
         error: 0.0,
         chains: vec![vec![v, facets.links.origin(next(h))]],
     };

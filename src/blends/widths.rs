@@ -9,6 +9,7 @@ use super::crease_graph::CreaseGraph;
 use super::ends::{Ends, SHARE};
 use super::options::RoundOptions;
 use super::surface::Surface;
+use super::through::Through;
 
 /// Where two bands meet in corners at both ends of a crease their rails take at most this part of it.
 const ALONG: f64 = 0.85;
@@ -129,10 +130,16 @@ impl Widths {
     }
 
     /// Lets bands end where their creases do.
-    pub(super) fn fade(&mut self, surface: &Surface<'_>, graph: &CreaseGraph, curves: &[ChainCurve]) {
+    pub(super) fn fade(
+        &mut self,
+        surface: &Surface<'_>,
+        graph: &CreaseGraph,
+        curves: &[ChainCurve],
+        through: &[Through],
+    ) {
         let ends = Ends::new(surface, graph);
         for ((widths, chain), curve) in self.0.iter_mut().zip(&graph.chains).zip(curves) {
-            let slopes = ends.slopes(chain);
+            let slopes = ends.slopes(chain, through);
             let begins = [0, widths.len() - 1].map(|i| BEFORE * widths[i]);
             for (i, width) in widths.iter_mut().enumerate() {
                 let from = curve.to_ends(i);

@@ -82,7 +82,7 @@ impl ValenceBatches {
             let (batch, slot) = (batches.vertex.len(), batches.neighbour.len());
             sorted.clear();
             sorted.extend(vertices.clone().map(|i| i as u32));
-            sorted.sort_by_key(|&i| valence(i));
+            sorted.sort_unstable_by_key(|&i| (valence(i), i));
             for class in sorted.chunk_by(|&a, &b| valence(a) == valence(b)) {
                 for members in class.chunks(LANES) {
                     batches.push(rings, members);

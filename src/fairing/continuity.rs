@@ -5,6 +5,7 @@ use super::options::Options;
 use crate::mesh::RegionMesh;
 use crate::mesh::boundary_loops::boundary_loops;
 use crate::solve::{AskedContinuity, Domain, LoopContinuity};
+use crate::support::entries::sort_by_number;
 use crate::support::error::Error;
 
 /// What is asked of a region whose unit of length is `scale` of the input's; nothing, where tangent planes alone are to be continued.
@@ -40,7 +41,7 @@ pub(super) fn asked_continuity(
 
 /// What is given for vertices, by boundary vertex. Of repeated ones the last holds.
 fn at_boundary<T: Copy>(region: &RegionMesh, mut list: Vec<(u32, T)>) -> Vec<Option<T>> {
-    list.sort_by_key(|entry| entry.0);
+    sort_by_number(&mut list);
     let boundary = region.vertex_ids[region.free..region.region_vertices()].iter();
     boundary
         .map(|v| {

@@ -53,7 +53,7 @@ pub use report::{
 };
 use sharp::SharpEdges;
 pub use sharp::crease_ends;
-pub(crate) use sharp::{BoundaryCrease, Branch, Knot, creases_around, may_be_creased};
+pub(crate) use sharp::{BoundaryCrease, Branch, GivenCrease, Knot, creases_around, may_be_creased};
 pub use sharp_edge::{CreaseEnd, SharpEdge, SharpFate};
 pub use solver::Solver;
 use whole_solution::whole;
@@ -91,7 +91,8 @@ pub fn fair(
     options: &Options,
 ) -> Result<Solution, Error> {
     options.validate()?;
-    Workers::new(options.threads)?.install(|| run_joined(positions, triangles, selection, options, None))
+    Workers::new(options.threads)?
+        .install(|| run_joined(positions, triangles, selection, (options, &[]), None))
 }
 
 /// [`fair`], which calls `progress` on the calling thread: after every iteration, more often while the start is made, and
@@ -130,7 +131,7 @@ pub fn fair_with_progress(
         &Workers::new(options.threads)?,
         progress,
         true,
-        |told| run_joined(positions, triangles, selection, options, Some(told)),
+        |told| run_joined(positions, triangles, selection, (options, &[]), Some(told)),
         Result::is_ok,
     )?
 }
@@ -143,6 +144,17 @@ pub(crate) fn fair_within(
     options: &Options,
     progress: &mut ProgressCallback<'_>,
 ) -> Result<Solution, Error> {
+    fair_along(positions, triangles, selection, (options, &[]), progress)
+}
+
+/// The same, with creases laid through the region. Coincident vertices are separate ones then.
+pub(crate) fn fair_along(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    selection: Selection<'_>,
+    how: (&Options, &[GivenCrease]),
+    progress: &mut ProgressCallback<'_>,
+) -> Result<Solution, Error> {
     let mut tell = |fraction, iterations, step, phase| {
         progress(&Progress {
             fraction,
@@ -151,7 +163,7 @@ pub(crate) fn fair_within(
             phase,
         })
     };
-    run_joined(positions, triangles, selection, options, Some(&mut tell))
+    run_joined(positions, triangles, selection, how, Some(&mut tell))
 }
 
 /// Runs `work` on a pool of so many threads. It is handed what tells `progress`, which is called on this thread.
@@ -202,7 +214,7 @@ fn run_joined<'a>(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
     selection: Selection<'_>,
-    options: &Options,
+    (options, creases): (&Options, &[GivenCrease]),
     progress: Option<&'a mut Callback<'a>>,
 ) -> Result<Solution, Error> {
     let clock = Stopwatch::start();
@@ -217,7 +229,7 @@ fn run_joined<'a>(
         positions,
         &joined.triangles,
         selected.selection(),
-        &asked,
+        (&asked, creases),
         progress,
     )
     .map_err(|error| in_given(error, &joined.copies, options))?;
@@ -231,7 +243,7 @@ fn run<'a>(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
     selection: Selection<'_>,
-    options: &Options,
+    (options, creases): (&Options, &[GivenCrease]),
     progress: Option<&'a mut Callback<'a>>,
 ) -> Result<Solution, Error> {
     let clock = Stopwatch::start();
@@ -243,7 +255,7 @@ fn run<'a>(
         options,
         options.asks_continuity(),
     )?;
-    let sharp = SharpEdges::find(positions, triangles, &components, options);
+    let sharp = SharpEdges::find(positions, triangles, &components, options, creases);
     let components = match &sharp.parted {
         Some(parted) => parted.prepared(options)?,
         None => components,

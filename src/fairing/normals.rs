@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use crate::discrete::boundary_normals::estimate;
 use crate::mesh::RegionMesh;
 use crate::solve::Domain;
+use crate::support::entries::sort_by_number;
 use crate::support::error::Error;
 use crate::support::table::{choices, table};
 
@@ -56,7 +57,7 @@ impl GivenNormals {
             BoundaryNormals::Fitted | BoundaryNormals::Averaged => Vec::new(),
         };
         // Of repeated ones the last holds.
-        list.sort_by_key(|(v, _)| *v);
+        sort_by_number(&mut list);
         Self(list)
     }
 

@@ -7,6 +7,7 @@ mod branch;
 mod corners;
 mod curve;
 mod ends;
+mod given_crease;
 mod group;
 mod groups;
 mod outside;
@@ -25,6 +26,7 @@ use crate::mesh::selection::Selection;
 use crate::mesh::{Joined, RegionMesh};
 use crate::support::error::Error;
 pub(crate) use branch::{Branch, Knot};
+pub(crate) use given_crease::GivenCrease;
 use group::Group;
 use groups::grouped;
 use outside::Outside;
@@ -40,14 +42,15 @@ pub(super) struct SharpEdges {
 }
 
 impl SharpEdges {
-    /// Of a mesh that these components are of, as far as the options ask for it.
+    /// Of a mesh that these components are of: those that are given, and others as far as the options ask for it.
     pub(super) fn find(
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
         components: &[Prepared],
         options: &Options,
+        laid: &[GivenCrease],
     ) -> Self {
-        if !options.asks_sharp() {
+        if !options.asks_sharp() && laid.is_empty() {
             return Self::default();
         }
         let regions: Vec<&RegionMesh> = components.iter().map(|of| &of.domain.region).collect();
@@ -57,9 +60,19 @@ impl SharpEdges {
         let least = least_angle(options);
         let mut told = Vec::new();
         let mut creases = Vec::new();
+        for crease in laid {
+            let followed = crease.followed(positions);
+            told.push(crease.told(followed.is_some()));
+            creases.extend(followed);
+        }
+        let is_laid = |end: &CreaseEnd| {
+            laid.iter()
+                .flat_map(|of| &of.ends)
+                .any(|of| of.vertex == end.vertex)
+        };
         for component in components {
             let mut ends = ends::crease_ends(&outside, boundary(&component.domain.region), least);
-            ends.retain(|end| !given.has(end.vertex));
+            ends.retain(|end| !given.has(end.vertex) && !is_laid(end));
             follow(
                 (component, &options.marked_edges),
                 &ends,
@@ -71,7 +84,8 @@ impl SharpEdges {
         let goes_on = told.iter().filter(|edge: &&SharpEdge| !edge.vertices.is_empty());
         let ends: Vec<&CreaseEnd> = goes_on.flat_map(|edge| &edge.ends).collect();
         let parted = (!creases.is_empty()).then(|| {
-            let mut near = ends::normals_near(&outside, &ends, least);
+            let found: Vec<&CreaseEnd> = ends.iter().copied().filter(|end| !is_laid(end)).collect();
+            let mut near = ends::normals_near(&outside, &found, least);
             near.retain(|(v, _)| !given.has(*v));
             PartedProblem::new((positions, triangles), &is_free, &creases, (&ends, near))
         });

@@ -69,7 +69,7 @@ fn counts(pairs: &[[u32; 2]], components: &[ComponentSolution]) -> Vec<usize> {
         triangles.into_iter().map(move |t| (t, c))
     };
     let mut owners: Vec<(u32, usize)> = components.iter().enumerate().flat_map(of_component).collect();
-    owners.sort_by_key(|&(t, _)| t);
+    owners.sort_unstable();
     let owner = |t: u32| {
         let at = owners.binary_search_by_key(&t, |owner| owner.0).ok()?;
         Some(owners[at].1)

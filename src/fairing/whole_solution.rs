@@ -7,6 +7,7 @@ use super::report::{ComponentReport, Report, Seconds, Solution};
 use super::whole_intersections::Crossings;
 use crate::paper::LevelReport;
 use crate::quality::Quality;
+use crate::support::entries::sort_by_number;
 use crate::support::profile;
 use crate::support::stopwatch::Stopwatch;
 
@@ -24,7 +25,7 @@ pub(super) fn whole(
         positions[v as usize] = p;
     }
     let mut boundary_normals = joined(components, |c| &c.boundary_normals);
-    boundary_normals.sort_by_key(|(v, _)| *v);
+    sort_by_number(&mut boundary_normals);
     boundary_normals.dedup();
     let crossings = Crossings::new((given, &positions), triangles, options, components);
     let mut report = report(options, components, crossings);
@@ -58,7 +59,7 @@ fn by_vertex(
     list: impl Fn(&ComponentSolution) -> &Vec<(u32, f64)>,
 ) -> Vec<(u32, f64)> {
     let mut all = joined(components, list);
-    all.sort_by_key(|(v, _)| *v);
+    sort_by_number(&mut all);
     all
 }
 

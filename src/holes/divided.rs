@@ -153,7 +153,7 @@ fn place(polygon: &[Corner], v: u32) -> Option<usize> {
 fn around_corners(polygon: &[Corner], ways: &[Way]) -> Option<Vec<Vec<Corner>>> {
     let of = |way| Some((place(polygon, Way::first(way))?, way));
     let mut order: Vec<(usize, &Way)> = ways.iter().filter_map(of).collect();
-    order.sort_by_key(|(at, _)| *at);
+    order.sort_unstable_by_key(|(at, _)| *at);
     let mut between_corners = 0;
     let parts = (0..order.len()).map(|k| {
         let ((a, first), (b, second)) = (order[k], order[(k + 1) % order.len()]);

@@ -210,8 +210,7 @@ impl ErasedMesh<'_> {
                 found.push((angle, kept[t as usize]));
             }
         }
-        found.sort_by_key(|entry| entry.1);
-        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         Ok(found.into_iter().map(|entry| entry.1).collect())
     }
 

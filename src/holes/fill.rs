@@ -180,7 +180,7 @@ pub(super) fn fill_within(
     let guides = guides.resolved(&options.guides)?;
     let edges = |i: usize| -> usize { of_group(i).iter().map(|of| of.vertices.len()).sum() };
     let mut order: Vec<usize> = (0..groups.len()).collect();
-    order.sort_by_key(|&i| edges(i));
+    order.sort_unstable_by_key(|&i| (edges(i), i));
     let is_checked = options.fairing.intersections == Intersections::Check;
     let asked = asked_for(options, positions, &loops);
     let objections: Vec<Option<OpenReason>> = (0..groups.len())

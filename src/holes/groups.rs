@@ -144,7 +144,7 @@ pub(super) fn choose(
     }
     let alone = chosen.iter().filter(|l| grouped.binary_search(l).is_err());
     groups.extend(alone.map(|&l| LoopGroup::single(l, is_named)));
-    groups.sort_by_key(|group| group.loops[0]);
+    groups.sort_unstable_by_key(|group| group.loops[0]);
     Ok(groups)
 }
 
@@ -158,7 +158,7 @@ pub(super) fn asked_for(options: &FillOptions, positions: &[[f64; 3]], loops: &[
             let mut holes: Vec<usize> = (0..loops.len())
                 .filter(|&l| loops[l].kind == LoopKind::Hole)
                 .collect();
-            holes.sort_by(|&a, &b| loops[b].length.total_cmp(&loops[a].length));
+            holes.sort_unstable_by(|&a, &b| loops[b].length.total_cmp(&loops[a].length).then(a.cmp(&b)));
             holes
                 .iter()
                 .take(filter.except_longest)
@@ -276,7 +276,7 @@ pub(super) fn suggestions(
             JoinSuggestion { loops: of, reason }
         })
         .collect();
-    found.sort_by_key(|of| of.loops[0]);
+    found.sort_unstable_by_key(|of| of.loops[0]);
     found
 }
 

@@ -48,7 +48,7 @@ impl Polygon<'_> {
         let mut guides: Vec<(u32, u32)> = self.guides.to_vec();
         guides.retain(|guide| self.taken.binary_search(guide).is_err());
         // What a guide encloses is cut off before it.
-        guides.sort_by_key(|(a, b)| (b - a, *a));
+        guides.sort_unstable_by_key(|(a, b)| (b - a, *a));
         let mut normals = self.normals.to_vec();
         let mut next: Vec<u32> = (1..=self.x.len() as u32).collect();
         let mut pieces = Vec::with_capacity(guides.len() + 1);

@@ -210,7 +210,7 @@ impl<'a> Closed<'a> {
                 (a.min(b), a.max(b), h)
             })
             .collect();
-        edges.sort_by_key(|&(a, b, _)| (a, b));
+        edges.sort_unstable();
         let same = edges.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1));
         same.filter(|same| same.len() > 1)
             .flatten()

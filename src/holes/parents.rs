@@ -82,8 +82,7 @@ pub(crate) fn compose(parents: &mut [Parents], old: usize, first: usize) {
                 Some(of) => (0..3).for_each(|k| add(of.vertices[k], w * of.weights[k])),
             }
         }
-        sums.sort_by_key(|sum| sum.0);
-        sums.sort_by(|a, b| b.1.total_cmp(&a.1));
+        sums.sort_unstable_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
         sums.truncate(3);
         let total: f64 = sums.iter().map(|sum| sum.1).sum();
         let at = |k: usize| sums.get(k).copied().unwrap_or((sums[0].0, 0.0));

@@ -262,7 +262,6 @@ fn edges(region: &RegionMesh) -> Vec<([u32; 2], u32)> {
             edges.push((edge, component));
         }
     }
-    edges.sort_by_key(|entry| entry.1);
-    edges.sort_by_key(|entry| (entry.0[0], entry.0[1]));
+    edges.sort_unstable();
     edges
 }

@@ -338,7 +338,7 @@ impl<'a> Swept<'a> {
         for (t, of) in (0..).zip(&triangles) {
             near.push((first.around[of[0] as usize], t));
         }
-        near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        near.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let count = self.set.x.len();
         (Patch::new(self.set.x.clone(), triangles, count), near)
     }

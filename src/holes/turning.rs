@@ -79,7 +79,7 @@ impl Links<'_> {
             };
             turnings.push(turnings[turnings.len() - 1] + curvature);
         }
-        turnings.sort_by(f64::total_cmp);
+        turnings.sort_unstable_by(f64::total_cmp);
         turn(turnings[(turnings.len() - 1) / 2]) > OUTER_TURN
     }
 

@@ -44,7 +44,7 @@ pub(crate) fn boundary_loops(region: &RegionMesh, rings: &Rings) -> Vec<Vec<u32>
     }
     loops.retain(|along| along.len() > 2);
     // No two have an edge in common.
-    loops.sort_by_key(|along| (along[0], along[1]));
+    loops.sort_unstable_by_key(|along| (along[0], along[1]));
     loops
 }
 

@@ -8,6 +8,7 @@ use std::borrow::Cow;
 use super::input;
 use super::selection::Selection;
 use super::stitches::representatives;
+use crate::support::entries::sort_by_number;
 use crate::support::error::Error;
 use crate::support::table::table;
 
@@ -121,7 +122,7 @@ impl Copies {
         let of = |entry: &(u32, T)| self.others(entry.0).map(|v| (v, entry.1)).collect::<Vec<_>>();
         let more: Vec<_> = list.iter().flat_map(of).collect();
         list.extend(more);
-        list.sort_by_key(|entry| entry.0);
+        sort_by_number(list);
     }
 
     /// A selection in the joined mesh's numbers. What it names wrongly is left for the checks that follow.

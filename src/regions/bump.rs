@@ -96,7 +96,11 @@ pub(super) fn find(
     let mut order: Vec<u32> = (0..distance.len() as u32)
         .filter(|&v| distance[v as usize].is_finite())
         .collect();
-    order.sort_by(|&a, &b| distance[a as usize].total_cmp(&distance[b as usize]));
+    order.sort_unstable_by(|&a, &b| {
+        distance[a as usize]
+            .total_cmp(&distance[b as usize])
+            .then(a.cmp(&b))
+    });
     tell(DISTANCES);
     let curvature = mesh_curvature::mean_curvature(mesh.positions, mesh.triangles)?;
     tell(CURVATURE);

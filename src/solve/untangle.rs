@@ -25,7 +25,7 @@ const MOVES: usize = 24;
 /// that the least quality of the triangles around it grows. The rest of `x` stays.
 pub(crate) fn untangle(region: &RegionMesh, rings: &Rings, marked: &[bool], x: &mut [Vector3<f64>]) {
     let mut order: Vec<usize> = (0..marked.len()).filter(|&i| marked[i]).collect();
-    order.sort_by_key(|&i| region.vertex_ids[i]);
+    order.sort_unstable_by_key(|&i| region.vertex_ids[i]);
     let mut ring = Vec::new();
     for _ in 0..SWEEPS {
         for &i in &order {

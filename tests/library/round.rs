@@ -1,7 +1,7 @@
 //! Creases that become blends: `round`.
 
 use fairmesh::{
-    Creases, Error, LooseReason, Outcome, Progress, RoundOptions, Rounded, blend_vertices, round,
+    Creases, Error, LooseReason, Outcome, Progress, RoundOptions, Rounded, SharpFate, blend_vertices, round,
     round_with_progress,
 };
 use std::f64::consts::TAU;
@@ -196,12 +196,85 @@ fn a_crease_that_is_not_rounded_and_arrives_at_a_blend_is_told() {
     let mesh = round(&cube.0, &cube.1, &options).unwrap();
     let reason = LooseReason::SharpEdge;
     assert_eq!(mesh.report.outcome, Outcome::ConvergedLoosely { reason });
-    let [edge] = &mesh.report.sharp_edges[..] else {
-        panic!("{:?}", mesh.report.sharp_edges)
-    };
-    let p = mesh.positions[edge.ends[0].vertex as usize];
+    let fates: Vec<SharpFate> = mesh.report.sharp_edges.iter().map(|edge| edge.fate).collect();
+    assert_eq!(fates, [SharpFate::GoesOn, SharpFate::GoesOn, SharpFate::Alone]);
+    let p = mesh.positions[mesh.report.sharp_edges[2].ends[0].vertex as usize];
     assert_below!((p[0] - 1.0).abs() + (p[1] + 1.0).abs(), 1e-12);
     assert_below!(p[2], -0.5);
+}
+
+/// The edge from z = 0 to 2 above the corner (1, 1) of a square, rounded: a part of a cylinder from face to face, and these are planes still.
+fn assert_runs_through(positions: &[[f64; 3]], triangles: &[[u32; 3]], edge: [u32; 2]) {
+    let width = 0.3;
+    let options = RoundOptions {
+        width,
+        edges: vec![edge],
+        ..RoundOptions::default()
+    };
+    let mesh = round(positions, triangles, &options).unwrap();
+    assert_eq!(mesh.report.outcome, Outcome::Converged);
+    let edges = &mesh.report.sharp_edges;
+    let fates: Vec<SharpFate> = edges.iter().map(|edge| edge.fate).collect();
+    assert_eq!(fates, [SharpFate::GoesOn; 2]);
+    let from_axis = |[x, y, _]: [f64; 3]| (x - 1.0 + width).hypot(y - 1.0 + width);
+    let is_in_corner = |[x, y, _]: [f64; 3]| x.min(y) > 1.0 - width;
+    let new = mesh.free.iter().map(|&v| mesh.positions[v as usize]);
+    for p in new.filter(|p| p[2].min(2.0 - p[2]) > 1e-9) {
+        assert!(is_in_corner(p), "{p:?}");
+        assert_near!(from_axis(p), width, 1e-4);
+    }
+    for &v in edges.iter().flat_map(|edge| &edge.vertices) {
+        let p = mesh.positions[v as usize];
+        assert_near!(p[2].min(2.0 - p[2]), 0.0, 1e-12);
+        assert_near!(from_axis(p), width, 1e-9);
+    }
+}
+
+/// So it is for the same faces from the other side, a groove in a hollow.
+#[test]
+fn a_blend_runs_through_to_the_faces_at_its_ends() {
+    let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let (positions, mut triangles) = prism(&square, [0.0, 2.0]);
+    assert_runs_through(&positions, &triangles, [2, 6]);
+    triangles.iter_mut().for_each(|t| t.swap(0, 1));
+    assert_runs_through(&positions, &triangles, [2, 6]);
+}
+
+/// A block on a square of floor: the corners of the floor, of the block's foot and of its top.
+fn block_on_floor() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let square = |half: f64, z: f64| {
+        [[-half, -half], [half, -half], [half, half], [-half, half]].map(|[x, y]| [x, y, z])
+    };
+    let positions = [square(3.0, 0.0), square(1.0, 0.0), square(1.0, 2.0)].concat();
+    let sides = |from: u32| {
+        (0..4).flat_map(move |i| {
+            let [a, b] = [from + i, from + (i + 1) % 4];
+            [[a, b, b + 4], [a, b + 4, a + 4]]
+        })
+    };
+    let triangles = sides(0).chain(sides(4)).chain([[8, 9, 10], [8, 10, 11]]);
+    (positions, triangles.collect())
+}
+
+/// A block on a floor: under a rounded edge there is more floor than before.
+#[test]
+fn a_blend_runs_through_to_a_face_around_its_end() {
+    let (positions, triangles) = block_on_floor();
+    assert_runs_through(&positions, &triangles, [6, 10]);
+}
+
+/// An edge that ends between a ridge and a groove fades out there: its blend would end in the air.
+#[test]
+fn a_blend_fades_out_between_a_ridge_and_a_groove() {
+    let (positions, triangles) = block_on_floor();
+    let options = RoundOptions {
+        width: 0.3,
+        edges: vec![[4, 5]],
+        ..RoundOptions::default()
+    };
+    let mesh = round(&positions, &triangles, &options).unwrap();
+    assert_eq!(mesh.report.outcome, Outcome::Converged);
+    assert_eq!(mesh.report.sharp_edges, []);
 }
 
 /// No ball touches two sides of an edge that does not bend but in the edge itself.

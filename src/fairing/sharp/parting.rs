@@ -11,6 +11,7 @@ use crate::fairing::prepared::Prepared;
 use crate::fairing::sharp_edge::CreaseEnd;
 use crate::mesh::parted::part;
 use crate::mesh::selection::Selection;
+use crate::support::entries::sort_by_number;
 use crate::support::error::Error;
 
 /// A crease and the vertices that are to lie on it.
@@ -55,7 +56,7 @@ impl PartedProblem {
         let on_cut = cut.iter().flatten().copied().collect::<HashSet<u32>>();
         let beside = near.into_iter().filter(|(v, _)| !on_cut.contains(v));
         problem.normals.extend(beside);
-        problem.normals.sort_by_key(|(v, _)| *v);
+        sort_by_number(&mut problem.normals);
         for &(v, at) in &problem.placed {
             problem.positions[v as usize] = at;
             problem.is_free[v as usize] = false;
@@ -122,7 +123,7 @@ fn placed(creases: &[Followed], is_free: &[bool]) -> Vec<(u32, [f64; 3])> {
             }
         }
     }
-    placed.sort_by_key(|(v, _)| *v);
+    sort_by_number(&mut placed);
     placed.dedup_by_key(|(v, _)| *v);
     placed
 }
@@ -151,7 +152,7 @@ fn normals(whole: &[[u32; 3]], parted: &[[u32; 3]], creases: &[Followed]) -> Vec
             normals.push((copies[next], at(second)));
         }
     }
-    normals.sort_by_key(|(v, _)| *v);
+    sort_by_number(&mut normals);
     normals.dedup_by_key(|(v, _)| *v);
     normals
 }

@@ -10,6 +10,7 @@ use super::untangle::Untangling;
 use super::width::{CLEAN, REACH, width};
 use crate::holes::links::Links;
 use crate::holes::loops::BoundaryLoop;
+use crate::support::entries::sort_by_number;
 
 /// Above this, in edges, noise has hardly left a triangle its shape.
 /// Of 3 cases, half: none changes; double: 2 change, 2 get another triangulation, -4 % iterations.
@@ -107,6 +108,6 @@ pub(super) fn relaxed(
         let x = untangling.x[v];
         moved.places.push(RimVertex { vertex, ring, x });
     }
-    moved.normals.sort_by_key(|of| of.0);
+    sort_by_number(&mut moved.normals);
     moved
 }

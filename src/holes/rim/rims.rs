@@ -15,6 +15,7 @@ use crate::holes::surroundings::Surroundings;
 use crate::intersections::of_some;
 use crate::mesh::NONE;
 use crate::mesh::coincident::Copies;
+use crate::support::entries::sort_by_number;
 
 /// A triangle whose normal has less than this of the fitted one is folded: 60 degrees.
 /// Of 3 cases, half: none changes; double: 0 change, 3 fail.
@@ -142,7 +143,7 @@ impl<'m> Rims<'m> {
                 all.push((v, moved.normals[at].1));
             }
         }
-        all.sort_by_key(|entry| entry.0);
+        sort_by_number(&mut all);
         Options {
             boundary_normals: BoundaryNormals::Given(all),
             ..options

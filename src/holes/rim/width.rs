@@ -94,7 +94,7 @@ impl Tried {
         let fits: Vec<Fit> = band.fits(samples, radius).into_iter().flatten().collect();
         let mean = |of: fn(&Fit) -> f64| fits.iter().map(of).sum::<f64>() / fits.len() as f64;
         let mut variances: Vec<f64> = fits.iter().map(|fit| fit.variance).collect();
-        variances.sort_by(|&a, &b| a.total_cmp(&b));
+        variances.sort_unstable_by(|&a, &b| a.total_cmp(&b));
         let tried = Self {
             median: variances.get(variances.len() / 2).copied().unwrap_or(0.0),
             radius,
