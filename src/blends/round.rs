@@ -28,7 +28,8 @@ use crate::mesh::halfedge::next;
 use crate::support::error::Error;
 
 /// Rounds the creases of a mesh: in place of each there is a blend, tangent to the faces beside it. Outside of the blends the surface stays
-/// where it is; triangles that reach into one are cut.
+/// where it is; triangles that reach into one are cut. Where one crease of a corner of three is rounded, and the other two are ridges or grooves both, its
+/// blend runs through to the face across, which then ends in an arc; elsewhere a blend fades out where its crease ends or no other one is rounded.
 ///
 /// ```
 /// use fairmesh::{RoundOptions, round};
@@ -208,7 +209,7 @@ fn level(surface: &Surface<'_>, graph: &CreaseGraph, through: &[Through], option
     let curves: Vec<ChainCurve> = graph.chains.iter().map(curve).collect();
     let (corners, angles) = corners(surface, graph);
     let mut widths = Widths::asked(&curves, options);
-    let least = widths.fit(surface, graph, &curves, &angles);
+    let least = widths.fit(surface, graph, &curves, (&angles, through));
     widths.fade(surface, graph, &curves, through);
     let mut sides = Vec::new();
     let side = |face: u32, curve: usize| Side {

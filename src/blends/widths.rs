@@ -1,5 +1,7 @@
 //! How wide bands are: what is asked, as far as there is room for it.
 
+use std::collections::BTreeMap;
+
 use nalgebra::Vector3;
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
@@ -52,7 +54,7 @@ impl Widths {
         surface: &Surface<'_>,
         graph: &CreaseGraph,
         curves: &[ChainCurve],
-        angles: &[[f64; 2]],
+        (angles, through): (&[[f64; 2]], &[Through]),
     ) -> Vec<(f64, Vector3<f64>)> {
         let points = (0..).zip(curves).flat_map(|(c, curve)| {
             let of = (0..).zip(&curve.points);
@@ -64,6 +66,7 @@ impl Widths {
             graph,
             curves,
             tree: &tree,
+            across: through.iter().map(|of| ((of.chain, of.end), of.face)).collect(),
         };
         let mut least = vec![(1.0, Vector3::zeros()); curves.len()];
         for (c, chain) in graph
@@ -157,16 +160,23 @@ struct Room<'a> {
     graph: &'a CreaseGraph,
     curves: &'a [ChainCurve],
     tree: &'a RTree<Sample>,
+    /// The faces that blends run through to, per chain and end.
+    across: BTreeMap<(usize, usize), u32>,
 }
 
 impl Room<'_> {
-    /// The distance from a point of a curve over either face beside it to the next crease of the face that does not meet this one, if it is less than
-    /// `most`.
+    /// The distance from a point of a curve over either face beside it, or that across from its end, to the next crease of the face that does not meet
+    /// this one, if it is less than `most`.
     fn at(&self, c: usize, i: usize, most: f64) -> f64 {
         let (chain, curve) = (&self.graph.chains[c], &self.curves[c]);
         let p = curve.points[i];
         let faces = self.graph.beside(chain, self.surface);
         let inward = self.inward(c, i);
+        let across = match i {
+            0 => self.across.get(&(c, 0)),
+            _ if i + 1 == curve.points.len() => self.across.get(&(c, 1)),
+            _ => None,
+        };
         let mut nearest = most;
         for sample in self.tree.locate_within_distance(p.into(), most * most) {
             let (d, j) = (sample.data.0 as usize, sample.data.1 as usize);
@@ -182,7 +192,8 @@ impl Room<'_> {
             }
             let others = self.graph.beside(other, self.surface);
             let is_ahead = |k: usize| others.contains(&faces[k]) && to.dot(&inward[k]) > AHEAD * distance;
-            if is_ahead(0) || is_ahead(1) {
+            let is_across = across.is_some_and(|face| others.contains(face));
+            if is_ahead(0) || is_ahead(1) || is_across {
                 nearest = distance;
             }
         }

@@ -263,6 +263,24 @@ fn a_blend_runs_through_to_a_face_around_its_end() {
     assert_runs_through(&positions, &triangles, [6, 10]);
 }
 
+/// The face across is narrower than the blend is asked to be wide: so is the blend there.
+#[test]
+fn a_blend_is_as_narrow_as_the_face_that_it_runs_through_to() {
+    let (positions, triangles) = prism(&[[0.0, 0.0], [2.0, 0.0], [2.4, 0.3]], [0.0, 2.0]);
+    let options = RoundOptions {
+        width: 0.3,
+        edges: vec![[1, 4]],
+        ..RoundOptions::default()
+    };
+    let mesh = round(&positions, &triangles, &options).unwrap();
+    assert_eq!(mesh.report.outcome, Outcome::Converged);
+    let chain = mesh.chains.iter().find(|chain| chain.is_rounded).unwrap();
+    let part = chain.narrowed.as_ref().unwrap().part;
+    // The third edge is .248 from the corner.
+    assert_below!(0.3 * part, 0.248);
+    assert!(mesh.kept_vertices.contains(&0) && mesh.kept_vertices.contains(&2));
+}
+
 /// An edge that ends between a ridge and a groove fades out there: its blend would end in the air.
 #[test]
 fn a_blend_fades_out_between_a_ridge_and_a_groove() {
