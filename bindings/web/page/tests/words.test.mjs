@@ -14,7 +14,7 @@ before(async () => (browser = await launched()));
 after(() => browser.close());
 
 /** Refusals of arguments that the page makes itself, and what only options lead to that it has not. */
-const NOT_HERE = ["bad_struct_size", "aliasing", "busy", "not_on_loop", "bad_guide", "guides_cross", "bad_chain", "converged_loosely"];
+const NOT_HERE = ["bad_struct_size", "aliasing", "busy", "not_on_loop", "bad_guide", "guides_cross", "bad_chain", "not_an_edge", "converged_loosely"];
 
 test("each answer that has a remedy has one here, and each button that is named is there", async () => {
     const { page } = await opened(browser);
