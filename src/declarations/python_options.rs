@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use fairmesh::{
     BridgeOptions, FillOptions, OptionDefault, OptionEntry, OptionKind, Options, RemeshOptions, Rim,
+    RoundOptions,
 };
 
 use crate::tables;
@@ -85,6 +86,12 @@ pub fn options() -> String {
             "How regions are triangulated anew.",
             fields(&RemeshOptions::schema()),
         ),
+        (
+            "RoundOptions",
+            "TypedDict",
+            "Which edges are rounded, and how far.",
+            fields(&RoundOptions::schema()),
+        ),
     ];
     let mut made = HEAD.to_owned();
     for (name, base, text, fields) in &classes {
@@ -96,6 +103,7 @@ pub fn options() -> String {
         ("fairmesh_fill_options", [patches, rims].concat()),
         ("fairmesh_bridge_options", classes[3].3.clone()),
         ("fairmesh_remesh_options", classes[4].3.clone()),
+        ("fairmesh_round_options", classes[5].3.clone()),
     ];
     for (name, fields) in structs {
         let _ = writeln!(made, "    \"{name}\": {{");

@@ -31,7 +31,7 @@ def element_or_none(number: int) -> int | None:
 
 /// A class: its name, its struct, what is said about it if the struct says something else, and its fields: all but those with a minus,
 /// or those that are named, with their names in Python if these are others.
-const CLASSES: [[&str; 4]; 10] = [
+const CLASSES: [[&str; 4]; 11] = [
     ["Report", "report", "", "-component_count -sharp_edge_count"],
     ["Component", "component", "", "-attempt_count -continuity_count"],
     ["Attempt", "attempt", "", ""],
@@ -43,6 +43,7 @@ const CLASSES: [[&str; 4]; 10] = [
         "-end_count -vertex_count -first_vertex",
     ],
     ["CreaseEnd", "crease_end", "", ""],
+    ["Crease", "crease", "", "-vertex_count"],
     [
         "Loop",
         "loop",
@@ -103,6 +104,9 @@ const SHARP_EDGE: &str = r#"    ends: tuple[CreaseEnd, ...]
     vertices: NDArray[np.intp] = field(compare=False)
     """The vertices along it, from end to end, or from each end to the corner one after the other; empty where it does not go on. Those that were free have been placed on it."""
 "#;
+const CREASE: &str = r#"    vertices: NDArray[np.intp] = field(compare=False)
+    """Its vertices in the mesh given, one after the other; of a ring the first one is the last one, too."""
+"#;
 const LOOP: &str = r#"    vertices: NDArray[np.intp]
     """The vertices in the direction of triangles that fill it."""
     touching: NDArray[np.intp]
@@ -125,6 +129,7 @@ pub fn records(items: &[Item]) -> String {
             "Report" => (REPORT, ", repr=False"),
             "Component" => (COMPONENT, ""),
             "SharpEdge" => (SHARP_EDGE, ""),
+            "Crease" => (CREASE, ""),
             "Loop" => (LOOP, ""),
             _ => ("", ""),
         };

@@ -12,7 +12,7 @@ import pyvista
 import trimesh
 
 import fairmesh
-from meshes import band_missing, dented_sphere, sphere_with_hole
+from meshes import band_missing, cube, dented_sphere, sphere_with_hole
 
 PROJECT = Path(__file__).resolve().parents[1]
 README = (PROJECT / "README.md").read_text()
@@ -20,10 +20,10 @@ PROGRAMS = re.findall(r"^```python\n(.*?)^```", README, re.M | re.S)
 
 
 def test_all_programs_were_found():
-    assert len(PROGRAMS) == README.count("```python") == 14
+    assert len(PROGRAMS) == README.count("```python") == 15
 
 
-@pytest.mark.parametrize("number", range(14))
+@pytest.mark.parametrize("number", range(15))
 def test_programs(number, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     sphere = dented_sphere()
@@ -32,6 +32,8 @@ def test_programs(number, tmp_path, monkeypatch, capsys):
     mesh = (sphere.vertices, sphere.faces)
     if "suggest_joins" in text:
         mesh = band_missing()
+    elif "round_edges" in text:
+        mesh = cube(2)[:2]
     elif "fill_holes" in text and "hole_size" not in text:
         mesh = sphere_with_hole()
     whole = trimesh.Trimesh(sphere.vertices, sphere.faces, process=False)
@@ -66,6 +68,8 @@ def test_programs(number, tmp_path, monkeypatch, capsys):
     elif "fill_holes" in text and "hole_size" not in text:
         assert said.startswith("0 ") and "faired none" in said and "hole" in said
         assert np.allclose(names["colours"], 1) and len(names["colours"]) == names["filled"].new_vertex_count
+    if "round_edges" in text:
+        assert said.count("90.0 True 1.0") == 12 and len(names["faces"]) > 1000
     if "InputError" in text:
         assert said.splitlines()[0].startswith("free vertex 3 lies on the boundary of the mesh; ")
         assert said.splitlines()[1].endswith("3 None None")

@@ -87,6 +87,7 @@ const INPUT: ReadonlySet<Status> = new Set<Status>([
     "bad_guide",
     "guides_cross",
     "bad_chain",
+    "not_an_edge",
     "no_bump",
     "bad_edit",
     "not_orientable",

@@ -17,7 +17,19 @@ from ._keywords import LoopChoice
 from ._library import LibraryError, load, version
 from ._options import default_fill_options, default_options, default_remesh_options
 from ._progress import Monitor, Progress
-from ._records import Attempt, Bends, Component, Continuity, CreaseEnd, Loop, Moved, Report, Roughness, SharpEdge
+from ._records import (
+    Attempt,
+    Bends,
+    Component,
+    Continuity,
+    Crease,
+    CreaseEnd,
+    Loop,
+    Moved,
+    Report,
+    Roughness,
+    SharpEdge,
+)
 from ._region import (
     grow,
     select_ball,
@@ -30,6 +42,7 @@ from ._region import (
     shrink,
 )
 from ._remesh import Remeshed, refill, remesh
+from ._round import Rounded, round_edges
 from ._schema import FairingOptions
 from ._seams import SeamWarning
 
@@ -42,6 +55,7 @@ __all__ = [
     "Carried",
     "Component",
     "Continuity",
+    "Crease",
     "CreaseEnd",
     "ElementKind",
     "Erased",
@@ -69,6 +83,7 @@ __all__ = [
     "Report",
     "Result",
     "Roughness",
+    "Rounded",
     "SeamWarning",
     "SharpEdge",
     "SharpFate",
@@ -92,6 +107,7 @@ __all__ = [
     "mean_curvature",
     "refill",
     "remesh",
+    "round_edges",
     "select_ball",
     "select_box",
     "select_bump",

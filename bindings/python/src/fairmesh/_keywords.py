@@ -10,11 +10,13 @@ from ._schema import (
     BRIDGE_DEFAULTS,
     FILLING_DEFAULTS,
     REMESH_DEFAULTS,
+    ROUND_DEFAULTS,
     BridgeOptions,
     FairingOptions,
     FillingOptions,
     PatchOptions,
     RemeshOptions,
+    RoundOptions,
 )
 
 if TYPE_CHECKING:
@@ -28,6 +30,7 @@ Place = tuple[ArrayLike, Union[ArrayLike, float]]
 
 #: What all keywords are by default; those that are not here, None.
 DEFAULTS: dict[str, Any] = {
+    **ROUND_DEFAULTS,
     **FILLING_DEFAULTS,
     **BRIDGE_DEFAULTS,
     **REMESH_DEFAULTS,
@@ -121,3 +124,10 @@ class RemeshKeywords(_Region, _Run, RemeshOptions, total=False):
 
 class RefillKeywords(_Region, _Run, PatchOptions, total=False):
     """Those of `refill`."""
+
+
+class RoundKeywords(_Run, RoundOptions, total=False):
+    """Those of `round_edges`."""
+
+    tolerance: float | None
+    max_iterations: int | None
