@@ -20,6 +20,7 @@ ENUMERATIONS = ("Status", "Outcome", "LooseReason", "FillOutcome", "FillReason",
 OF_CALLS = range(1, 12)
 # What the library's options are called there and, or so, everywhere.
 EVERYWHERE = set("fair sharp smooth open loops vertices faces check free join input flat best threads fill single".split())
+EVERYWHERE |= set("all angle creases edges".split())
 
 
 def labels():
