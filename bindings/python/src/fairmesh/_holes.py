@@ -189,6 +189,23 @@ class NewMesh(Picklable, Generic[M]):
         return self._handle.vectors(_abi.fairmesh_vectors.PARENT_WEIGHTS, self.new_vertex_count)
 
 
+class PartlyNewMesh(NewMesh[M]):
+    """A mesh of which a part was left out: first what is left of it, with other numbers, then what is new."""
+
+    @cached_property
+    def kept_vertices(self) -> NDArray[np.intp]:
+        """Per vertex that is left its number before."""
+        return self._handle.list(_lists.KEPT_VERTICES)
+
+    @cached_property
+    def kept_faces(self) -> NDArray[np.intp]:
+        """Per face that is left, or a part of one, the number before of that."""
+        return self._handle.list(_lists.KEPT_TRIANGLES)
+
+    def _kept(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        return self.kept_vertices, self.kept_faces
+
+
 class Filled(NewMesh[M]):
     """A mesh with filled holes. Vertices and faces given keep their numbers and bits; new ones follow.
 

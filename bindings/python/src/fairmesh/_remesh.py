@@ -12,7 +12,7 @@ from . import _abi, _arrays
 from ._calls import of_mesh
 from ._forms import ArrayLike
 from ._handles import result_of
-from ._holes import NewMesh
+from ._holes import PartlyNewMesh
 from ._hosts import Arrays, M
 from ._keywords import RefillKeywords, RemeshKeywords
 from ._options import options_of
@@ -26,26 +26,13 @@ if TYPE_CHECKING:
 _lists = _abi.fairmesh_list
 
 
-class Remeshed(NewMesh[M]):
+class Remeshed(PartlyNewMesh[M]):
     """A mesh with a new triangulation of a region."""
 
     @cached_property
     def free_vertices(self) -> NDArray[np.intp]:
         """The free vertices of the new mesh: give them to `fair` as ``free``."""
         return self._handle.list(_lists.FREE_VERTICES)
-
-    @cached_property
-    def kept_vertices(self) -> NDArray[np.intp]:
-        """Per vertex that is left its number before."""
-        return self._handle.list(_lists.KEPT_VERTICES)
-
-    @cached_property
-    def kept_faces(self) -> NDArray[np.intp]:
-        """Per triangle that is left its number before."""
-        return self._handle.list(_lists.KEPT_TRIANGLES)
-
-    def _kept(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-        return self.kept_vertices, self.kept_faces
 
     def __repr__(self) -> str:
         return f"<fairmesh.Remeshed: {len(self.vertices)} vertices, {self.new_vertex_count} of them new>"

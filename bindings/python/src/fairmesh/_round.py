@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from . import _abi, _arrays
 from ._calls import of_mesh
 from ._forms import ArrayLike
-from ._holes import NewMesh
+from ._holes import PartlyNewMesh
 from ._hosts import Arrays, M
 from ._keywords import RoundKeywords
 from ._options import options_of
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 _lists = _abi.fairmesh_list
 
 
-class Rounded(NewMesh[M]):
+class Rounded(PartlyNewMesh[M]):
     """A mesh with blends in place of sharp edges. First what is left of the mesh given, then what is new."""
 
     @cached_property
@@ -52,19 +52,6 @@ class Rounded(NewMesh[M]):
     def sharp_corners(self) -> NDArray[np.intp]:
         """Vertices of the mesh given that stay sharp, as no sound blend was found there."""
         return self._handle.list(_lists.SHARP_CORNERS)
-
-    @cached_property
-    def kept_vertices(self) -> NDArray[np.intp]:
-        """Per vertex that is left its number before."""
-        return self._handle.list(_lists.KEPT_VERTICES)
-
-    @cached_property
-    def kept_faces(self) -> NDArray[np.intp]:
-        """Per face that is left, or a part of one, the number before of that."""
-        return self._handle.list(_lists.KEPT_TRIANGLES)
-
-    def _kept(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-        return self.kept_vertices, self.kept_faces
 
     def _crease(self, index: int) -> Crease:
         struct = sized(_abi.fairmesh_crease)
