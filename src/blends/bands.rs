@@ -209,7 +209,9 @@ impl Bands {
         };
         let places = self.places_on_arcs();
         let place = |before: u32| places.get(&original(before)).copied();
-        divide_chords(&mut mesh, self.sources.len(), &place);
+        if !places.is_empty() {
+            divide_chords(&mut mesh, self.sources.len(), &place);
+        }
         let on_arcs = self.on_arcs();
         // Numbers of bands stand behind those of the mesh given.
         let mut parents = self.parents;

@@ -27,23 +27,29 @@ pub(super) fn divide_chords(
                 }
             }
         }
-        let both = beside
-            .into_iter()
-            .find_map(|(edge, beside)| (beside.len() == 2).then_some((edge, beside)));
-        let Some((edge, beside)) = both else {
+        beside.retain(|_, beside| beside.len() == 2);
+        if beside.is_empty() {
             return;
-        };
-        let middle = halfway(mesh, edge);
-        for t in beside {
-            let mut other = mesh.triangles[t];
-            let [a, b] = edge;
-            mesh.triangles[t]
-                .iter_mut()
-                .filter(|v| **v == b)
-                .for_each(|v| *v = middle);
-            other.iter_mut().filter(|v| **v == a).for_each(|v| *v = middle);
-            mesh.triangles.push(other);
         }
+        let mut is_divided = vec![false; mesh.triangles.len()];
+        for (edge, beside) in beside {
+            // What is divided already has other edges: next time.
+            if !beside.iter().any(|&t| is_divided[t]) {
+                beside.iter().for_each(|&t| is_divided[t] = true);
+                divide(mesh, edge, &beside);
+            }
+        }
+    }
+}
+
+/// Divides an edge and the triangles beside it in their middle.
+fn divide(mesh: &mut Remeshed, [a, b]: [u32; 2], beside: &[usize]) {
+    let middle = halfway(mesh, [a, b]);
+    let with = |tri: [u32; 3], old: u32| tri.map(|v| if v == old { middle } else { v });
+    for &t in beside {
+        let tri = mesh.triangles[t];
+        mesh.triangles[t] = with(tri, b);
+        mesh.triangles.push(with(tri, a));
     }
 }
 

@@ -281,6 +281,27 @@ fn a_blend_is_as_narrow_as_the_face_that_it_runs_through_to() {
     assert!(mesh.kept_vertices.contains(&0) && mesh.kept_vertices.contains(&2));
 }
 
+/// An arc that cuts a corner off leaves the same triangle on both sides of it, unless edges from one of its vertices to another are divided.
+#[test]
+fn each_edge_of_a_wedge_is_rounded_by_itself() {
+    let (positions, triangles) = prism(&[[0.0, 0.0], [3.0, 0.0], [3.0, 1.0]], [0.0, 2.0]);
+    let edges = (0..3).flat_map(|i| {
+        let j = (i + 1) % 3;
+        [[i, j], [i + 3, j + 3], [i, i + 3]]
+    });
+    for edge in edges {
+        let options = RoundOptions {
+            width: 0.3,
+            edges: vec![edge],
+            ..RoundOptions::default()
+        };
+        let mesh = round(&positions, &triangles, &options).unwrap();
+        assert_eq!(mesh.report.outcome, Outcome::Converged, "{edge:?}");
+        assert_eq!(mesh.report.sharp_edges.len(), 2, "{edge:?}");
+        assert_eq!(euler_number(&mesh), 2);
+    }
+}
+
 /// An edge that ends between a ridge and a groove fades out there: its blend would end in the air.
 #[test]
 fn a_blend_fades_out_between_a_ridge_and_a_groove() {
