@@ -109,21 +109,21 @@ impl Bands {
         options: &Options,
         telling: &mut Telling<'_, '_>,
     ) -> Result<Rounded, Error> {
-        let mut bands = self.remeshed(given.len(), None)?;
+        let mut bands = self.parted().remeshed(given.len(), None)?;
         let mut solution = bands.solve(options, telling)?;
         for _ in 0..AGAIN {
             let is_good = is_sound(&solution);
-            // A surface that is not sound bends anyhow.
             let smooth = Self {
                 positions: solution.positions.clone(),
                 ..bands.clone()
             };
-            let parted = smooth.clone().parted().0;
-            let finer = is_good.then(|| lengths(&parted.positions, &parted.triangles, bands.sources.len()));
+            let sides = smooth.parted();
+            // A surface that is not sound bends anyhow.
+            let finer = is_good.then(|| sides.lengths());
             if finer == Some(None) {
                 break;
             }
-            let next = smooth.remeshed(given.len(), finer.flatten().as_deref());
+            let next = sides.remeshed(given.len(), finer.flatten().as_deref());
             // What cannot be triangulated once more stays as it is.
             match next.and_then(|next| Ok((next.solve(options, telling)?, next))) {
                 Ok((found, next)) if !is_good || is_sound(&found) => (bands, solution) = (next, found),
@@ -136,8 +136,9 @@ impl Bands {
         Ok(bands.assemble(given, centre, solution.report))
     }
 
-    /// Parted along arcs, where vertices get copies for each side: what these are of. The vertices there are not free.
-    fn parted(mut self) -> (Self, Vec<u32>) {
+    /// Parted along arcs, whose vertices are not free then.
+    fn parted(mut self) -> PartedBands {
+        let whole = self.positions.len();
         let of_arc = |arc: &GivenCrease| {
             [&arc.vertices, &arc.ends[0].chains[0], &arc.ends[1].chains[0]].map(Clone::clone)
         };
@@ -155,7 +156,11 @@ impl Bands {
         }
         let on_arcs = self.on_arcs();
         self.free.retain(|v| on_arcs.binary_search(v).is_err());
-        (self, parted.copy_of)
+        PartedBands {
+            bands: self,
+            whole,
+            copy_of: parted.copy_of,
+        }
     }
 
     /// Which arc each of their vertices is on, and which of its vertices it is.
@@ -173,91 +178,6 @@ impl Bands {
         let mut all: Vec<u32> = self.arcs.iter().flat_map(inside).collect();
         all.sort_unstable();
         all
-    }
-
-    /// With a new triangulation of the bands, edges no longer than these where vertices are free; the mesh given has so many vertices.
-    fn remeshed(self, given: usize, finer: Option<&[f64]>) -> Result<Self, Error> {
-        let whole = self.positions.len();
-        let (this, copy_of) = self.parted();
-        this.remeshed_sides((whole, &copy_of), given, finer)
-    }
-
-    /// The same of a mesh that is parted, with copies behind the vertices of the whole; they are one again in the result.
-    fn remeshed_sides(
-        self,
-        (whole, copy_of): (usize, &[u32]),
-        given: usize,
-        finer: Option<&[f64]>,
-    ) -> Result<Self, Error> {
-        let options = RemeshOptions {
-            coincident: Coincident::Separate,
-            ..RemeshOptions::default()
-        };
-        let lengths = Lengths {
-            along: &|v| self.lengths[v as usize],
-            inside: &|v| finer.map_or(f64::INFINITY, |of| of[v as usize]),
-        };
-        let selection = Selection::Vertices(&self.free);
-        let mut mesh = remesh_to_lengths(&self.positions, &self.triangles, selection, &options, lengths)?;
-        // What is stopped leaves its parents out.
-        checkpoint();
-        let original = |v: u32| {
-            copy_of
-                .get((v as usize).wrapping_sub(whole))
-                .copied()
-                .unwrap_or(v)
-        };
-        let places = self.places_on_arcs();
-        let place = |before: u32| places.get(&original(before)).copied();
-        if !places.is_empty() {
-            divide_chords(&mut mesh, self.sources.len(), &place);
-        }
-        let on_arcs = self.on_arcs();
-        // Numbers of bands stand behind those of the mesh given.
-        let mut parents = self.parents;
-        let made = parents.len();
-        parents.extend(mesh.parents.iter().map(|of| Parents {
-            vertices: of.vertices.map(|v| v + given as u32),
-            weights: of.weights,
-        }));
-        compose(&mut parents, given, made);
-        let kept = || mesh.kept_vertices.iter().map(|&v| v as usize);
-        let new = mesh.positions.len() - mesh.kept_vertices.len();
-        let moved = |v: u32| mesh.kept_vertices.binary_search(&v).ok().map(|new| new as u32);
-        let joined = |v: u32| {
-            let before = mesh.kept_vertices.get(v as usize);
-            before.and_then(|&before| moved(original(before))).unwrap_or(v)
-        };
-        let arc = |arc: &GivenCrease| renumbered(arc, &moved);
-        let free = mesh
-            .free
-            .iter()
-            .copied()
-            .chain(on_arcs.iter().filter_map(|&v| moved(v)));
-        let result = Self {
-            given: kept().map(|v| self.given[v]).chain(vec![NONE; new]).collect(),
-            parents: kept()
-                .map(|v| parents[v])
-                .chain(parents[made..].iter().copied())
-                .collect(),
-            lengths: kept().map(|v| self.lengths[v]).chain(vec![0.0; new]).collect(),
-            normals: self
-                .normals
-                .iter()
-                .filter_map(|&(v, n)| Some((moved(v)?, n)))
-                .collect(),
-            creases: self
-                .creases
-                .iter()
-                .filter_map(|&[a, b]| Some([moved(a)?, moved(b)?]))
-                .collect(),
-            arcs: self.arcs.iter().filter_map(arc).collect(),
-            positions: mesh.positions,
-            triangles: mesh.triangles.iter().map(|t| t.map(joined)).collect(),
-            free: free.collect(),
-            ..self
-        };
-        Ok(result.compacted())
     }
 
     /// In the numbers of the result: vertices given that stay, then the others; none without a triangle.
@@ -330,6 +250,102 @@ impl Bands {
             sharp_corners: self.sharp_corners,
             report,
         }
+    }
+}
+
+/// Bands parted along arcs, where vertices have copies for each side.
+struct PartedBands {
+    bands: Bands,
+    /// How many vertices there are without copies; these stand behind them.
+    whole: usize,
+    /// What the copies are of.
+    copy_of: Vec<u32>,
+}
+
+impl PartedBands {
+    /// Per vertex how long edges may be, by how much the surface bends; none if it asks for nothing.
+    fn lengths(&self) -> Option<Vec<f64>> {
+        let bands = &self.bands;
+        lengths(&bands.positions, &bands.triangles, bands.sources.len())
+    }
+
+    /// With a new triangulation of the bands, edges no longer than these where vertices are free; the mesh given has so many vertices. The copies are one
+    /// again.
+    fn remeshed(self, given: usize, finer: Option<&[f64]>) -> Result<Bands, Error> {
+        let Self {
+            bands,
+            whole,
+            copy_of,
+        } = self;
+        let options = RemeshOptions {
+            coincident: Coincident::Separate,
+            ..RemeshOptions::default()
+        };
+        let lengths = Lengths {
+            along: &|v| bands.lengths[v as usize],
+            inside: &|v| finer.map_or(f64::INFINITY, |of| of[v as usize]),
+        };
+        let selection = Selection::Vertices(&bands.free);
+        let mut mesh = remesh_to_lengths(&bands.positions, &bands.triangles, selection, &options, lengths)?;
+        // What is stopped leaves its parents out.
+        checkpoint();
+        let original = |v: u32| {
+            copy_of
+                .get((v as usize).wrapping_sub(whole))
+                .copied()
+                .unwrap_or(v)
+        };
+        let places = bands.places_on_arcs();
+        let place = |before: u32| places.get(&original(before)).copied();
+        if !places.is_empty() {
+            divide_chords(&mut mesh, bands.sources.len(), &place);
+        }
+        let on_arcs = bands.on_arcs();
+        // Numbers of bands stand behind those of the mesh given.
+        let mut parents = bands.parents;
+        let made = parents.len();
+        parents.extend(mesh.parents.iter().map(|of| Parents {
+            vertices: of.vertices.map(|v| v + given as u32),
+            weights: of.weights,
+        }));
+        compose(&mut parents, given, made);
+        let kept = || mesh.kept_vertices.iter().map(|&v| v as usize);
+        let new = mesh.positions.len() - mesh.kept_vertices.len();
+        let moved = |v: u32| mesh.kept_vertices.binary_search(&v).ok().map(|new| new as u32);
+        let joined = |v: u32| {
+            let before = mesh.kept_vertices.get(v as usize);
+            before.and_then(|&before| moved(original(before))).unwrap_or(v)
+        };
+        let arc = |arc: &GivenCrease| renumbered(arc, &moved);
+        let free = mesh
+            .free
+            .iter()
+            .copied()
+            .chain(on_arcs.iter().filter_map(|&v| moved(v)));
+        let result = Bands {
+            given: kept().map(|v| bands.given[v]).chain(vec![NONE; new]).collect(),
+            parents: kept()
+                .map(|v| parents[v])
+                .chain(parents[made..].iter().copied())
+                .collect(),
+            lengths: kept().map(|v| bands.lengths[v]).chain(vec![0.0; new]).collect(),
+            normals: bands
+                .normals
+                .iter()
+                .filter_map(|&(v, n)| Some((moved(v)?, n)))
+                .collect(),
+            creases: bands
+                .creases
+                .iter()
+                .filter_map(|&[a, b]| Some([moved(a)?, moved(b)?]))
+                .collect(),
+            arcs: bands.arcs.iter().filter_map(arc).collect(),
+            positions: mesh.positions,
+            triangles: mesh.triangles.iter().map(|t| t.map(joined)).collect(),
+            free: free.collect(),
+            ..bands
+        };
+        Ok(result.compacted())
     }
 }
 
