@@ -46,6 +46,11 @@ def test_one_edge_runs_through_to_the_faces_at_its_ends():
     assert np.abs(from_axis - WIDTH)[inside & ~at_ends].max() < 1e-4
 
 
+def test_threads_change_no_bit():
+    one, two = (fairmesh.round_edges(VERTICES, FACES, width=WIDTH, threads=n, intersections="skip") for n in (1, 2))
+    assert np.array_equal(one.vertices, two.vertices) and np.array_equal(one.faces, two.faces)
+
+
 def test_what_is_refused():
     for given, status in (
         ({}, "BAD_OPTION"),

@@ -131,3 +131,5 @@ class RoundKeywords(_Run, RoundOptions, total=False):
 
     tolerance: float | None
     max_iterations: int | None
+    threads: int | None
+    intersections: Literal["check", "skip"] | None
