@@ -62,8 +62,8 @@ def test_what_is_refused():
         assert refused.value.status is fairmesh.Status[status]
     with pytest.raises(TypeError, match="did you mean 'width'"):
         fairmesh.round_edges(VERTICES, FACES, widht=WIDTH)
-    with pytest.raises(ValueError, match="creases: 'convexe' is none of"):
-        fairmesh.round_edges(VERTICES, FACES, width=WIDTH, creases="convexe")
+    with pytest.raises(ValueError, match="creases: 'round' is none of"):
+        fairmesh.round_edges(VERTICES, FACES, width=WIDTH, creases="round")
 
 
 def test_it_can_be_stopped(live_handles):
