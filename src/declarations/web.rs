@@ -20,7 +20,7 @@ const HEAD: &str = "/**
 ";
 
 /// Structs that programs read, and so have types for.
-const READ: [&str; 15] = [
+const READ: [&str; 16] = [
     "report",
     "component",
     "attempt",
@@ -32,6 +32,7 @@ const READ: [&str; 15] = [
     "joinSuggestion",
     "fillReport",
     "bridgeReport",
+    "crease",
     "bump",
     "progress",
     "frame",
@@ -39,7 +40,7 @@ const READ: [&str; 15] = [
 ];
 
 /// Structs whose plain fields programs set by name.
-const SET: [&str; 4] = ["options", "fillOptions", "bridgeOptions", "remeshOptions"];
+const SET: [&str; 5] = ["options", "fillOptions", "bridgeOptions", "roundOptions", "remeshOptions"];
 
 /// The text of `abi.ts`.
 pub fn declarations(items: &[Item]) -> String {

@@ -11,6 +11,7 @@ import type { Fairmesh } from "./index.js";
 import { newWorker, type Port, webPort } from "./ports.js";
 import type { Watching } from "./progress.js";
 import type { RegionResult, RegionStep } from "./region.js";
+import type { RoundOptions, RoundResult } from "./round.js";
 import { type Caller, type SolverCall, WorkerSolver } from "./worker_solver.js";
 
 /** What a call in a worker can be handed besides its options. */
@@ -31,6 +32,7 @@ interface LongCalls {
     bridge<M extends Mesh>(mesh: M, start: Indices, end: Indices, options?: BridgeOptions & Handed): Promise<BridgeResult<Out<M>>>;
     refill<M extends Mesh>(mesh: M, free?: Selection | null, options?: RefillOptions & Handed): Promise<RemeshResult<Out<M>>>;
     remesh<M extends Mesh>(mesh: M, free?: Selection | null, options?: RemeshOptions & Handed): Promise<RemeshResult<Out<M>>>;
+    roundEdges<M extends Mesh>(mesh: M, options: RoundOptions & Handed): Promise<RoundResult<Out<M>>>;
     carryOver(mesh: Mesh, points: Points, among?: Selection | null, options?: Watching & Handed): Promise<Carried>;
     selfIntersections(mesh: Mesh, among?: Selection | null, options?: Watching & Handed): Promise<Uint32Array>;
     selectRegion(mesh: Mesh, steps: readonly RegionStep[], options?: Watching & Handed): Promise<RegionResult>;
@@ -43,6 +45,7 @@ const LONG = {
     bridge: 3,
     refill: 2,
     remesh: 2,
+    roundEdges: 1,
     carryOver: 3,
     selfIntersections: 2,
     selectRegion: 2,
@@ -51,7 +54,7 @@ const LONG = {
 const SHORT = [
     ...(["boundaryLoops", "suggestJoins", "erase", "trimBoundary", "components", "meanCurvature", "memoryNeeded", "memoryNeededToFill"] as const),
     ...(["selectBall", "selectBox", "selectHalfspace", "selectGeodesic", "selectComponent"] as const),
-    ...(["selectPatch", "selectBump", "grow", "shrink", "defaultOptions", "defaultFillOptions", "defaultRemeshOptions", "describe"] as const),
+    ...(["selectPatch", "selectBump", "grow", "shrink", "defaultOptions", "defaultFillOptions", "defaultRemeshOptions", "defaultRoundOptions", "describe"] as const),
 ];
 
 /** The other calls. */

@@ -11,7 +11,8 @@ import { defaults } from "./options.js";
 import { Relays, type Watching } from "./progress.js";
 import * as region from "./region.js";
 import { type Telling, telling, type Told } from "./reports.js";
-import type { PlainFillOptions, PlainOptions, PlainRemeshOptions } from "./abi.js";
+import * as rounding from "./round.js";
+import type { PlainFillOptions, PlainOptions, PlainRemeshOptions, PlainRoundOptions } from "./abi.js";
 
 export type * from "./abi.js";
 export { compile, type CompiledModule, type Source } from "./compile.js";
@@ -24,6 +25,7 @@ export type { Budget, Bulge, Edit, Frame, Move, Tilt } from "./edits.js";
 export type { ByVertex, FairingOptions, HowFar, Sharp } from "./options.js";
 export type { ProgressCallback, Watching } from "./progress.js";
 export type { RegionResult, RegionStep, Seed } from "./region.js";
+export type { Crease, RoundOptions, RoundResult } from "./round.js";
 export type { Component, LoopReport, Report, SharpEdge, Telling, Told } from "./reports.js";
 export { createWorker, FairmeshWorker, type Handed, type WebWorker, type WorkerOptions } from "./client.js";
 export { type Look, type ShownFrame, type Watched, WorkerSolver } from "./worker_solver.js";
@@ -136,6 +138,11 @@ export class Fairmesh {
         return erasing.refill(this.#host, mesh, free, options) as erasing.RemeshResult<Out<M>>;
     }
 
+    /** Rounds the sharp edges of a mesh: in place of each there is a blend, tangent to the faces beside it. Outside of the blends the surface stays where it is. */
+    roundEdges<M extends Mesh>(mesh: M, options: rounding.RoundOptions): rounding.RoundResult<Out<M>> {
+        return rounding.roundEdges(this.#host, mesh, options) as rounding.RoundResult<Out<M>>;
+    }
+
     /** Mean curvature at every vertex, in 1 / length; NaN at vertices without triangles. */
     meanCurvature(mesh: Mesh): Float64Array {
         return meanCurvature(this.#host, mesh);
@@ -207,6 +214,10 @@ export class Fairmesh {
 
     defaultRemeshOptions(): Required<PlainRemeshOptions> {
         return this.#defaults<Required<PlainRemeshOptions>>("remeshOptions", "fairmesh_remesh_options_init");
+    }
+
+    defaultRoundOptions(): Required<PlainRoundOptions> {
+        return this.#defaults<Required<PlainRoundOptions>>("roundOptions", "fairmesh_round_options_init");
     }
 
     /** What one of the library's answers means: English, begins in lower case. */

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { load, version } from "fairmesh";
-import { dent, offSphere, sheets, tubes } from "./meshes.mjs";
+import { cube, dent, offSphere, sheets, tubes } from "./meshes.mjs";
 
 const library = await load();
 const mesh = dent();
@@ -220,6 +220,51 @@ test("curvature and intersections of whole meshes", () => {
     assert.deepEqual(Array.from(library.selfIntersections(crossing, [1])), [0, 1]);
 });
 
+test("a cube's edges are rounded", () => {
+    const box = cube(4);
+    const width = 0.2;
+    const made = library.roundEdges(box, { width });
+    assert.ok(made.isSuccess && made.report.outcome === "converged");
+    assert.equal(made.creases.length, 12);
+    assert.ok(made.creases.every(({ isRounded, bend, part, vertices }) => isRounded && Math.abs(bend - 90) < 1e-9 && part === 1 && vertices.length === 5));
+    assert.ok(made.sharpCorners.length === 0 && made.angle > 0 && made.angle < 90);
+    // Away from the corners each edge is a cylinder.
+    const inner = 1 - width;
+    let farthest = 0;
+    for (let k = 0; k < made.positions.length; k += 3) {
+        const p = Array.from(made.positions.subarray(k, k + 3));
+        if (p.filter((x) => Math.abs(x) > 1 - 3 * width).length > 2) continue;
+        farthest = Math.max(farthest, Math.abs(Math.hypot(...p.map((x) => Math.max(Math.abs(x) - inner, 0))) - width));
+    }
+    assert.ok(farthest < 1e-3, `${farthest}`);
+    const vertexCount = made.positions.length / 3;
+    assert.equal(made.keptVertices.length, vertexCount - made.newVertexCount);
+    assert.equal(made.keptTriangles.length, made.triangles.length / 3 - made.newTriangleCount);
+    made.keptVertices.forEach((from, to) => {
+        assert.deepEqual(made.positions.subarray(3 * to, 3 * to + 3), box.positions.subarray(3 * from, 3 * from + 3));
+    });
+    assert.ok(made.freeVertices.length > 0 && made.freeVertices.every((v) => v >= made.keptVertices.length && v < vertexCount));
+});
+
+test("one edge is rounded by a ball, and which options there are", () => {
+    const box = cube(4);
+    const onEdge = [];
+    box.positions.forEach((x, k) => k % 3 === 0 && x === 1 && box.positions[k + 1] === 1 && onEdge.push(k / 3));
+    onEdge.sort((a, b) => box.positions[3 * a + 2] - box.positions[3 * b + 2]);
+    const height = (v) => box.positions[3 * v + 2];
+    const ends = onEdge.filter((v, k) => k === 0 || height(v) !== height(onEdge[k - 1]));
+    const edges = ends.slice(1).map((v, k) => [ends[k], v]);
+    const made = library.roundEdges(box, { radius: 0.2, edges, tolerance: 1e-6, maxIterations: 100, intersections: "skip" });
+    assert.equal(made.creases.filter(({ isRounded }) => isRounded).length, 1);
+    assert.ok(made.isSuccess && !made.report.intersectionsChecked);
+    assert.throws(() => library.roundEdges(box, { radius: 0.2, edges: [[0, 12]] }), { status: "not_an_edge" });
+    assert.throws(() => library.roundEdges(box, { width: 0.2, creases: "concave" }), { status: "empty_region" });
+    assert.throws(() => library.roundEdges(box, { width: 0.2, creases: "round" }), { message: 'creases: "round" is none of "all", "convex", "concave"' });
+    assert.throws(() => library.roundEdges(box, { widht: 0.2 }), { message: 'unknown option "widht"; did you mean "width"?' });
+    assert.throws(() => library.roundEdges(box, { width: 0.2, continuity: 1 }), { name: "TypeError" });
+    assert.throws(() => library.roundEdges(box, { width: 0.2, progress: () => false }), { status: "cancelled" });
+});
+
 test("defaults are the library's", () => {
     const all = library.defaultOptions();
     assert.equal(all.tolerance, 1e-8);
@@ -228,6 +273,7 @@ test("defaults are the library's", () => {
     assert.ok(!("progress" in all));
     assert.equal(library.defaultFillOptions().maxNewVertices, 200000);
     assert.ok(library.defaultRemeshOptions().density > 1.4);
+    assert.equal(library.defaultRoundOptions().creases, "all");
     assert.match(version, /^\d+\.\d+\.\d+$/);
     assert.deepEqual(library.fair(mesh, mesh.free, { tolerance: all.tolerance, discretization: all.discretization }).positions, library.fair(mesh, mesh.free).positions);
 });

@@ -113,3 +113,27 @@ export function tubes({ around = 32, rings = 8, gap = 1 } = {}) {
     }
     return { positions: Float64Array.from(positions), triangles: Uint32Array.from(triangles) };
 }
+
+/** The cube from -1 to 1, each face in n x n squares. Vertices on its edges are there for each face. */
+export function cube(n) {
+    const positions = [];
+    const triangles = [];
+    for (let axis = 0; axis < 3; axis++) {
+        for (const side of [-1, 1]) {
+            const base = positions.length / 3;
+            for (let j = 0; j <= n; j++) {
+                for (let i = 0; i <= n; i++) {
+                    const p = [];
+                    p[axis] = side;
+                    p[(axis + 1) % 3] = (2 * i) / n - 1;
+                    p[(axis + 2) % 3] = (2 * j) / n - 1;
+                    positions.push(...p);
+                    if (i === n || j === n) continue;
+                    const [a, b] = [base + (n + 1) * j + i, base + (n + 1) * (j + 1) + i];
+                    triangles.push(...(side > 0 ? [a, a + 1, b + 1, a, b + 1, b] : [a, b + 1, a + 1, a, b, b + 1]));
+                }
+            }
+        }
+    }
+    return { positions: Float64Array.from(positions), triangles: Uint32Array.from(triangles) };
+}

@@ -22,6 +22,9 @@ export async function all(): Promise<void> {
     library.fair(single, null, { tol: 1 });
     // @ts-expect-error: positions are needed.
     library.fair({ triangles: [0, 1, 2] });
+    const blended: Float32Array = library.roundEdges(single, { width: 0.1, creases: "convex", edges: [[0, 1]] }).positions;
+    // @ts-expect-error: blends are tangent to what is beside them.
+    library.roundEdges(single, { width: 0.1, boundaryNormals: "averaged" });
     const [low, high]: [number, number] = report.hInside;
     const loops = library.boundaryLoops(single);
     const kinds: ("hole" | "outer_boundary" | "non_manifold" | "inconsistent")[] = loops.map(({ kind }) => kind);
@@ -39,5 +42,5 @@ export async function all(): Promise<void> {
     const there: Float32Array = (await worker.fair(single, null, { signal: new AbortController().signal, transfer: true })).positions;
     const mask: Uint8Array = await worker.selectBall(single, [0, 0, 0], 1);
     worker.close();
-    void [positions, doubles, outcome, worst, wrong, low, high, kinds, text, name, there, mask];
+    void [positions, doubles, blended, outcome, worst, wrong, low, high, kinds, text, name, there, mask];
 }

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { createWorker, InputError, load, TrapError, version } from "fairmesh";
-import { dent, offSphere } from "./meshes.mjs";
+import { cube, dent, offSphere } from "./meshes.mjs";
 
 const mesh = dent();
 /** A run of seconds: it is stopped long before its end. */
@@ -20,6 +20,7 @@ test("a worker finds the same, and tells of progress", async () => {
     assert.deepEqual(await worker.components(mesh), library.components(mesh));
     assert.equal((await worker.selectBall(mesh, [0, 0, 1], 0.3)).length, mesh.triangles.length / 3);
     assert.equal((await worker.defaultOptions()).tolerance, 1e-8);
+    assert.deepEqual((await worker.roundEdges(cube(2), { width: 0.3 })).positions, library.roundEdges(cube(2), { width: 0.3 }).positions);
     worker.close();
     await assert.rejects(worker.components(mesh), { message: "the worker is closed" });
 });
