@@ -1,5 +1,5 @@
 /**
- * Makes the shapes of the page: node shapes.mjs PROGRAM HEAD.FIF FOLDER. Surfaces by the command line; the head from a file of the Python
+ * Makes the shapes of the page: node shapes.mjs PROGRAM HEAD.FIF FOLDER. Surfaces by the command line, a bracket, and the head from a file of the Python
  * package MNE. Each becomes NAME.bin.gz: four counts, then positions (double), normals given (vertex, then x, y, z as doubles), corners, and free vertices,
  * these two as differences.
  * The first one is there faired, too, as NAME-faired.bin.gz with positions alone (float): the page shows it before its own solver is awake.
@@ -76,6 +76,19 @@ function scanned(path) {
     return made;
 }
 
+/** A bracket: an L, extruded. */
+function bracket() {
+    const corners = [[0, 0], [2, 0], [2, 0.5], [0.5, 0.5], [0.5, 2], [0, 2]];
+    const positions = [0, 1].flatMap((z) => corners.flatMap(([x, y]) => [x - 1, y - 1, z - 0.5]));
+    const cap = [[3, 4, 5], [3, 5, 0], [3, 0, 1], [3, 1, 2]];
+    const sides = corners.flatMap((_, i) => {
+        const j = (i + 1) % 6;
+        return [[i, j, j + 6], [i, j + 6, i + 6]];
+    });
+    const triangles = [...cap.map(([a, b, c]) => [a, c, b]), ...cap.map((t) => t.map((v) => v + 6)), ...sides].flat();
+    return { positions, triangles, free: [], normals: [] };
+}
+
 /** The first bytes of all numbers, then the second ones: bytes of one kind are compressed by a third more. */
 function planes(array) {
     const [bytes, size] = [new Uint8Array(array.buffer), array.BYTES_PER_ELEMENT];
@@ -91,6 +104,6 @@ function packed({ positions, triangles, free, normals }) {
 }
 
 mkdirSync(folder, { recursive: true });
-const shapes = { ...Object.fromEntries(Object.entries(GENERATED).map(([name, given]) => [name, generated(given)])), head: scanned(head) };
+const shapes = { ...Object.fromEntries(Object.entries(GENERATED).map(([name, given]) => [name, generated(given)])), head: scanned(head), bracket: bracket() };
 for (const [name, shape] of Object.entries(shapes)) writeFileSync(join(folder, `${name}.bin.gz`), packed(shape));
 writeFileSync(join(folder, `${FIRST}-faired.bin.gz`), zipped([Float32Array.from(shapes[FIRST].faired)]));

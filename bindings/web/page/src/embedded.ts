@@ -9,6 +9,7 @@ export const SHAPES = {
     blend13k: "Three cylinders, 13,000 vertices",
     tetra: "Tetra thing",
     head: "Head (scans)",
+    bracket: "Bracket with sharp edges",
 } as const;
 export type ShapeName = keyof typeof SHAPES;
 

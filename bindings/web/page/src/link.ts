@@ -10,7 +10,8 @@ export type Step =
     | { kind: "fair"; region: Runs; edits: Edit[] }
     | { kind: "fill" }
     | { kind: "join"; loops: [number, number] }
-    | { kind: "refill" | "remesh"; region: Runs };
+    | { kind: "refill" | "remesh"; region: Runs }
+    | { kind: "round"; region: Runs; width: number };
 
 /** Lengths of runs of triangles that are not chosen, chosen, not chosen, ... */
 export type Runs = number[];

@@ -22,6 +22,7 @@ interface Hook {
     positions(): Float64Array;
     triangles(): Uint32Array;
     region(): Uint8Array;
+    choose(region: Uint8Array): void;
     /** Frames of the live surface since the page was loaded. */
     frames(): number;
     /** Whether something is under way, or about to be. */
@@ -68,6 +69,7 @@ class Page {
             positions: () => model.surface.positions,
             triangles: () => model.surface.triangles,
             region: () => model.region,
+            choose: (region) => model.choose(region),
             frames: () => model.frames,
             isBusy: () => this.#isWaking || isBusy() || model.isFollowing || this.#dragging.isPending,
             arrows: () => this.#dragging.handles.places(),
@@ -97,6 +99,10 @@ class Page {
         click("erase-fill", () => this.#needing(() => work("Region", (watched) => this.#model.refill(watched), () => this.#model.costToRefill())));
         click("remesh", () => this.#needing(() => work("Region", (watched) => this.#model.remesh(watched))));
         click("bridge", () => this.#join());
+        click("round", () => this.#round());
+        input("width").addEventListener("input", () => label("width", `${input("width").value} %`));
+        input("width").addEventListener("change", () => this.#model.steps.at(-1)?.kind === "round" && this.#round());
+        label("width", `${input("width").value} %`);
         click("up", () => this.#turnUp(this.#viewer.up === "y" ? "z" : "y"));
         click("fit", () => this.#viewer.fit(this.#model.surface));
         onChoice("shading", () => void this.#shade());
@@ -164,7 +170,8 @@ class Page {
             await this.#model.take(name as ShapeName);
             this.#begun(name);
             const chosen = this.#model.region.some((x) => x === 1);
-            say(`${SHAPES[name as ShapeName]}: ${chosen ? "the coloured region is chosen. Fair it, or choose another one." : "paint a region, then fair it."}`);
+            const invites = name === "bracket" ? "press “Round edges”, and try other widths." : "paint a region, then fair it.";
+            say(`${SHAPES[name as ShapeName]}: ${chosen ? "the coloured region is chosen. Fair it, or choose another one." : invites}`);
         } catch (why) {
             say(told(why), true);
         }
@@ -244,6 +251,11 @@ class Page {
     #needing(then: () => Promise<unknown>): void {
         if (this.#model.region.some((x) => x === 1)) void then();
         else say("No region is chosen: paint one, draw a lasso around it, or take All.", true);
+    }
+
+    /** Where sharp edges have been rounded last, by another width in place of that. */
+    #round(): Promise<boolean> {
+        return work("Rounded", (watched) => this.#model.roundAgain(watched, Number(input("width").value) / 100));
     }
 
     async #join(): Promise<void> {

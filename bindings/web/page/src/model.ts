@@ -5,6 +5,7 @@ import { type Cost, costOf } from "./costs.js";
 import { faired, FIRST, module, type Shape, shape as embedded, type ShapeName, startWorker } from "./embedded.js";
 import { maskOf, runsOf, type Step } from "./link.js";
 import { type Part, partsOfHoles, partsOfRegion, saysOf, summed } from "./parts.js";
+import { saysOfBlends, sharpEdges } from "./rounding.js";
 import { lengthOf, type LoopVertex, moving, type Normals, regionLoops, Surface, type Triangles, trianglesAt, verticesOf } from "./surface.js";
 import { worded } from "./words.js";
 
@@ -307,6 +308,26 @@ export class Model {
         return `remeshed, from ${from} to ${to} triangles of like size. Fair it next`;
     }
 
+    /** Puts blends in place of the sharp edges in the region, or of all where none is chosen; `width`: how far they reach, in parts of the diagonal. */
+    async round(watched: Watched, width: number): Promise<string> {
+        const { region, surface } = this;
+        const edges = region.includes(1) ? sharpEdges(region, surface) : null;
+        if (edges?.length === 0) throw new Error("no edge of the region is sharp: choose the triangles on both sides of one");
+        const asked = { width: width * surface.diagonal, ...(edges === null ? {} : { edges }) };
+        const made = await this.#worker.roundEdges(this.mesh, { ...asked, ...watched }).catch((why: unknown) => {
+            throw (why as { status?: string }).status === "empty_region" ? new Error("no edge is sharp") : why;
+        });
+        if (!made.creases.some(({ isRounded }) => isRounded)) return saysOfBlends(made);
+        this.#replace(made, { kind: "round", region: runsOf(region), width });
+        return saysOfBlends(made);
+    }
+
+    /** The same with another width, in place of the last rounding. */
+    async roundAgain(watched: Watched, width: number): Promise<string> {
+        if (this.steps.at(-1)?.kind === "round") await this.undo();
+        return this.round(watched, width);
+    }
+
     /** Other triangles, of which the last ones are new: no region, so that what is painted next is one by itself. The list of parts has the patches. */
     #replace(made: Triangles & { newTriangleCount: number }, step: Step): void {
         this.#remember();
@@ -316,9 +337,11 @@ export class Model {
         this.region = new Uint8Array(made.triangles.length / 3);
         this.steps.push(step);
         // Vertices of a mesh that was refilled have other numbers.
-        if (step.kind === "refill" || step.kind === "remesh") [this.#held, this.normals, this.#carried] = [null, null, []];
+        if (step.kind === "refill" || step.kind === "remesh" || step.kind === "round") [this.#held, this.normals, this.#carried] = [null, null, []];
         const count = this.region.length;
-        this.#show(made, before, new Uint8Array(count).fill(1, count - made.newTriangleCount));
+        // Between blends triangles are so large that their colour would run far into them.
+        const fresh = step.kind === "round" ? null : new Uint8Array(count).fill(1, count - made.newTriangleCount);
+        this.#show(made, before, fresh);
     }
 
     /** Holes and boundaries, for the lists. */
@@ -385,6 +408,7 @@ export class Model {
             if (step.kind === "fill" || step.kind === "join") await this.fill(watched, step.kind === "join" ? step.loops : null);
             if (step.kind === "refill") await this.refill(watched);
             if (step.kind === "remesh") await this.remesh(watched);
+            if (step.kind === "round") await this.round(watched, step.width);
             if (step.kind !== "fair") continue;
             await this.fair(watched);
             if (step.edits.length === 0) continue;
