@@ -15,7 +15,7 @@ def test_each_is_in_the_list_with_its_picture():
         assert f"({path.name})" in page and f"({path.stem}.png)" in page
         assert (FOLDER / f"{path.stem}.png").stat().st_size > 20_000
         assert path.read_text().count("assert ") >= 2
-    assert len(NOTEBOOKS) >= 7
+    assert len(NOTEBOOKS) >= 8
 
 
 @pytest.mark.skipif(not os.environ.get("FAIRMESH_TEST_LONG"), reason="long tests only")
