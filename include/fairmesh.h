@@ -2125,6 +2125,10 @@ typedef struct fairmesh_round_options {
      * Edges that are rounded, and no others: pairs of vertices; they are creases however little they bend. Default: none, all creases are. Two indices side by side.
      */
     struct fairmesh_indices edges;
+    /**
+     * Labels of all triangles, one for each, as the numbers of their materials: borders between labels stay where they are, inside flat faces, too. Default: none, all have the same.
+     */
+    struct fairmesh_indices labels;
 } fairmesh_round_options;
 
 /**

@@ -31,7 +31,7 @@ mod solve;
 mod support;
 
 pub use blends::{
-    CreaseChain, Creases, Narrowing, RoundOptions, Rounded, SharpCorner, blend_vertices, round,
+    CreaseChain, Creases, Narrowing, RoundOptions, Rounded, SharpCorner, blend_vertices, find_creases, round,
     round_with_progress,
 };
 pub use fairing::{

@@ -18,7 +18,7 @@ venv ruff ruff==0.17.5
 "$PYTHON" $tests/test_platforms.py --quiet
 zip=$(bindings/blender/build.sh)
 
-for suite in test_lifecycle test_messages test_sidebar test_normals test_fair test_live test_fill test_join; do
+for suite in test_lifecycle test_messages test_sidebar test_normals test_fair test_live test_fill test_join test_round; do
     check "Blender 3.4, $suite" blender -b --factory-startup --python-exit-code 7 --python $tests/$suite.py -- "$zip"
 done
 
@@ -26,7 +26,7 @@ for bpy in 4.2.23 5.0.1; do
     venv bpy-${bpy%.*} bpy==$bpy
     python=$out/bpy-${bpy%.*}/bin/python
     valid "$bpy" "$zip"
-    for suite in test_lifecycle test_messages test_sidebar test_normals test_fair test_live test_fill test_join; do
+    for suite in test_lifecycle test_messages test_sidebar test_normals test_fair test_live test_fill test_join test_round; do
         check "bpy $bpy, $suite" "$python" $tests/$suite.py "$zip"
     done
 done

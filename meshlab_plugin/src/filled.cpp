@@ -3,7 +3,6 @@
 
 #include "patch.h"
 #include "report.h"
-#include "write.h"
 
 #include <vcg/complex/allocate.h>
 
@@ -36,23 +35,6 @@ std::string opposite(const fairmesh_fill_report &hole, const fairmesh::result &l
     return text(" These are the loops at vertices %u and %u: select the faces of one of the two parts and apply 'Invert Faces "
                 "Orientation'.",
                 first_vertex(loops, hole.reason_element), first_vertex(loops, hole.reason_other));
-}
-
-/** Deletes the faces that are not kept; their vertices that no face has any more, too, but not yet. */
-Mask delete_faces(CMeshO &mesh, const MeshView &view, const std::vector<std::uint32_t> &kept) {
-    Mask loose(mesh.vert.size(), 0);
-    auto next = kept.begin();
-    for (std::uint32_t t = 0; t < view.triangles().size(); ++t) {
-        if (next != kept.end() && *next == t) {
-            ++next;
-            continue;
-        }
-        Allocator::DeleteFace(mesh, mesh.face[view.face(t)]);
-        for (std::uint32_t v : view.triangles()[t]) loose[v] = 1;
-    }
-    for (std::uint32_t t : kept)
-        for (std::uint32_t v : view.triangles()[t]) loose[v] = 0;
-    return loose;
 }
 
 /** What is wrong with the faces around a hole whose vertices moved; empty if nothing is. */
@@ -138,6 +120,28 @@ fairmesh_mesh with_triangles(const MeshView &view, const Triangles &triangles) {
     return mesh;
 }
 
+Mask delete_faces(CMeshO &mesh, const MeshView &view, const std::vector<std::uint32_t> &kept) {
+    Mask loose(mesh.vert.size(), 0);
+    auto next = kept.begin();
+    for (std::uint32_t t = 0; t < view.triangles().size(); ++t) {
+        if (next != kept.end() && *next == t) {
+            ++next;
+            continue;
+        }
+        Allocator::DeleteFace(mesh, mesh.face[view.face(t)]);
+        for (std::uint32_t v : view.triangles()[t]) loose[v] = 1;
+    }
+    for (std::uint32_t t : kept)
+        for (std::uint32_t v : view.triangles()[t]) loose[v] = 0;
+    return loose;
+}
+
+void delete_vertices(CMeshO &mesh, const Mask &loose) {
+    for (std::size_t v = 0; v < loose.size(); ++v)
+        if (loose[v] && !mesh.vert[v].IsD()) Allocator::DeleteVertex(mesh, mesh.vert[v]);
+    Allocator::CompactEveryVector(mesh);
+}
+
 void write_patches(MeshModel &model, const MeshView &view, const std::vector<std::uint32_t> &kept, const fairmesh::result &filled,
                    SelectionAfter wish) {
     CMeshO &mesh = model.cm;
@@ -149,10 +153,7 @@ void write_patches(MeshModel &model, const MeshView &view, const std::vector<std
     const Mask changed = add(mesh, patch);
     select_new(mesh, patch.triangles.size(), wish);
     update_normals(mesh, changed, false);
-    for (std::size_t v = 0; v < loose.size(); ++v)
-        if (loose[v] && !mesh.vert[v].IsD()) Allocator::DeleteVertex(mesh, mesh.vert[v]);
-    // As the host's own filters that delete: its scripts read compact meshes only.
-    if (deletes) Allocator::CompactEveryVector(mesh);
+    if (deletes) delete_vertices(mesh, loose);
     // Adjacency that the mesh carries has to know the new faces.
     model.updateDataMask(topology);
 }

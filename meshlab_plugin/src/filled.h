@@ -6,6 +6,7 @@
 #include "host.h"
 #include "mesh_view.h"
 #include "parameters.h"
+#include "write.h"
 
 #include <fairmesh.hpp>
 
@@ -24,6 +25,11 @@ void select_new(CMeshO &mesh, std::size_t count, SelectionAfter wish);
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 Triangles some_of(const MeshView &view, const std::vector<std::uint32_t> &kept);
 fairmesh_mesh with_triangles(const MeshView &view, const Triangles &triangles);
+
+/** Deletes the faces that are not kept (triangles of the view, ascending); tells which vertices only they had, and keeps these for now. */
+Mask delete_faces(CMeshO &mesh, const MeshView &view, const std::vector<std::uint32_t> &kept);
+/** Deletes vertices, then closes the gaps: as the host's own filters that delete, whose scripts read compact meshes only. */
+void delete_vertices(CMeshO &mesh, const Mask &loose);
 
 /** Puts the patches of holes or of a bridge into a mesh of which these triangles were kept, ascending, and deletes the others with the
  *  vertices that only they had. Throws Failure, before anything has changed, if a number exceeds the host's range. */

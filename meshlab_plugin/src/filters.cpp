@@ -41,6 +41,11 @@ Values dispatch(int filter, MeshModel &model, MeshView &view, const RichParamete
         view.join(parameters.join_distance);
         return bridge_boundaries(model, view, std::move(parameters), host);
     }
+    case RoundEdges: {
+        RoundParameters parameters = read_round_parameters(asked);
+        view.join(parameters.join_distance);
+        return round_edges(model, view, std::move(parameters), host);
+    }
     case MeanCurvature: return mean_curvature(model, view, host);
     default: throw Failure("There is no such filter.");
     }
@@ -52,7 +57,8 @@ int menus(int filter) {
     switch (filter) {
     case CloseHoles:
     case EraseAndFill:
-    case BridgeBoundaries: return Menus::Smoothing | Menus::Remeshing;
+    case BridgeBoundaries:
+    case RoundEdges: return Menus::Smoothing | Menus::Remeshing;
     case MeanCurvature: return Menus::Smoothing | Menus::Quality;
     default: return Menus::Smoothing;
     }
@@ -65,7 +71,8 @@ int changes(int filter) {
     case FairSelection: return MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACENORMAL | MeshModel::MM_VERTQUALITY;
     case CloseHoles:
     case EraseAndFill:
-    case BridgeBoundaries: return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE | MeshModel::MM_FACEFLAGSELECT;
+    case BridgeBoundaries:
+    case RoundEdges: return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE | MeshModel::MM_FACEFLAGSELECT;
     default: return MeshModel::MM_VERTQUALITY;
     }
 }
@@ -76,6 +83,7 @@ RichParameterList parameters(int filter) {
     if (filter == CloseHoles) add_close_parameters(list);
     if (filter == EraseAndFill) add_erase_parameters(list);
     if (filter == BridgeBoundaries) add_bridge_parameters(list);
+    if (filter == RoundEdges) add_round_parameters(list);
     return list;
 }
 

@@ -9,8 +9,8 @@
 namespace fairmesh_meshlab {
 
 /** The filters' numbers in the plugin. */
-enum Filter { FairSelection, CloseHoles, MeanCurvature, EraseAndFill, BridgeBoundaries };
-constexpr Filter FILTERS[] = {FairSelection, CloseHoles, MeanCurvature, EraseAndFill, BridgeBoundaries};
+enum Filter { FairSelection, CloseHoles, MeanCurvature, EraseAndFill, BridgeBoundaries, RoundEdges };
+constexpr Filter FILTERS[] = {FairSelection, CloseHoles, MeanCurvature, EraseAndFill, BridgeBoundaries, RoundEdges};
 
 /** Name in menus and scripts of MeshLab. */
 QString name(int filter);

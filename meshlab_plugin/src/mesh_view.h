@@ -30,6 +30,8 @@ class MeshView {
     std::uint32_t face(std::size_t triangle) const { return faces_[triangle]; }
     /** The selected triangles. */
     const std::vector<std::uint32_t> &selected() const { return selected_; }
+    /** The selected edges, as by 'Select Crease Edges', each once or twice. */
+    const std::vector<std::array<std::uint32_t, 2>> &selected_edges() const { return selected_edges_; }
     /** Those of the selected edges, as by 'Select Crease Edges', that sharp edges outside may be, if any are asked for. */
     void mark_edges(fairmesh_options &options) const;
     /** The diagonal of the bounding box of vertices. */

@@ -210,6 +210,18 @@ void add_bridge_parameters(RichParameterList &list) {
     add_solver_parameters(list);
 }
 
+void add_round_parameters(RichParameterList &list) {
+    list.addParam(RichFloat("width", 0, "Width", "How far blends reach from the edge, on both sides. 0: the radius says it."));
+    list.addParam(RichFloat("radius", 0, "Radius", "Of a ball that touches both sides where the blend begins. 0: the width says it."));
+    list.addParam(RichEnum("creases", static_cast<int>(Rounded::All), {"All", "That stand out", "In folds", "Selected edges"},
+                           "Sharp edges", "Which are rounded. Selected ones: as by 'Select Crease Edges'."));
+    list.addParam(RichFloat("angle", 0, "Sharp from (degrees)", "Edges that bend by more are sharp. 0: by the gap between bends."));
+    add_advanced<RichBool>(list, "check_intersections", true, "Check for self-intersections",
+                           "Blends that intersect anything are not made. Off: this is not looked for.");
+    add_advanced<RichFloat>(list, "join_distance", 0, "Join vertices within",
+                            "Vertices this near are one, as along texture seams. Negative: none are.");
+}
+
 FairParameters read_fair_parameters(const RichParameterList &list) {
     FairParameters asked;
     asked.normals = static_cast<BoundaryNormals>(in_list(list, "boundary_normals", 4));
@@ -260,6 +272,22 @@ BridgeParameters read_bridge_parameters(const RichParameterList &list) {
     read_patch_parameters(list, asked.fill);
     asked.join_distance = number_or_zero(list, "join_distance");
     read_solver_parameters(list, asked.options);
+    return asked;
+}
+
+RoundParameters read_round_parameters(const RichParameterList &list) {
+    RoundParameters asked;
+    asked.how.width = not_negative(list, "width");
+    asked.how.radius = not_negative(list, "radius");
+    if ((asked.how.width > 0) == (asked.how.radius > 0)) throw Failure("Give a width or a radius.");
+    asked.how.angle = not_negative(list, "angle");
+    asked.which = static_cast<Rounded>(in_list(list, "creases", 4));
+    if (asked.which == Rounded::Convex) asked.how.creases = FAIRMESH_CREASES_CONVEX;
+    if (asked.which == Rounded::Concave) asked.how.creases = FAIRMESH_CREASES_CONCAVE;
+    asked.join_distance = number_or_zero(list, "join_distance");
+    if (std::is_same_v<Scalar, float>) asked.options.output_precision = FAIRMESH_OUTPUT_PRECISION_SINGLE;
+    const bool skips = list.hasParameter("check_intersections") && !list.getBool("check_intersections");
+    if (skips) asked.options.intersections = FAIRMESH_INTERSECTIONS_SKIP;
     return asked;
 }
 

@@ -57,6 +57,16 @@ struct BridgeParameters {
     double join_distance = 0;
 };
 
+/** Which creases are rounded. The numbers are those of the parameter's list. */
+enum class Rounded { All, Convex, Concave, SelectedEdges };
+
+struct RoundParameters {
+    fairmesh::options options;
+    fairmesh::round_options how;
+    Rounded which = Rounded::All;
+    double join_distance = 0;
+};
+
 /** The bulge that is asked is that of a region of size 1, so that one number has one shape, as in Blender: to 1 / length^3. */
 void scale_bulge(fairmesh::options &options, double diagonal);
 
@@ -64,12 +74,14 @@ void add_fair_parameters(RichParameterList &list);
 void add_close_parameters(RichParameterList &list);
 void add_erase_parameters(RichParameterList &list);
 void add_bridge_parameters(RichParameterList &list);
+void add_round_parameters(RichParameterList &list);
 
 /** Throw Failure for numbers that the library's types cannot hold. It refuses other wrong ones itself. */
 FairParameters read_fair_parameters(const RichParameterList &list);
 CloseParameters read_close_parameters(const RichParameterList &list);
 CloseParameters read_erase_parameters(const RichParameterList &list);
 BridgeParameters read_bridge_parameters(const RichParameterList &list);
+RoundParameters read_round_parameters(const RichParameterList &list);
 
 } // namespace fairmesh_meshlab
 

@@ -96,7 +96,7 @@ void set_face(CMeshO &mesh, const Patch &patch, const std::vector<std::uint32_t>
     const auto &corners = patch.triangles[i];
     auto old = [&](std::uint32_t v) { return v < old_vertices ? v : nearest(patch, v - old_vertices); };
     CFaceO &face = mesh.face[first + i];
-    const std::uint32_t beside = faces[old(corners[0])];
+    const std::uint32_t beside = patch.like.empty() ? faces[old(corners[0])] : patch.like[i];
     if (beside != NONE) {
         face.ImportData(mesh.face[beside]);
         for (const auto &attribute : mesh.face_attr) attribute._handle->CopyValue(first + i, beside, attribute._handle);
@@ -109,7 +109,11 @@ void set_face(CMeshO &mesh, const Patch &patch, const std::vector<std::uint32_t>
         face.ClearB(k);
         if (!mesh.face.IsWedgeTexCoordEnabled()) continue;
         const std::uint32_t v = corners[k];
-        if (v < old_vertices) face.WT(k) = wedge(mesh, faces, v);
+        if (!patch.wedges.empty()) {
+            // The number of the texture is the face's.
+            face.WT(k).u() = static_cast<std::decay_t<decltype(face.WT(k).u())>>(patch.wedges[i][k][0]);
+            face.WT(k).v() = static_cast<std::decay_t<decltype(face.WT(k).v())>>(patch.wedges[i][k][1]);
+        } else if (v < old_vertices) face.WT(k) = wedge(mesh, faces, v);
         else
             face.WT(k) = mean_tex_coord(patch, v - old_vertices, wedge(mesh, faces, old(v)),
                                         [&](std::uint32_t parent) { return wedge(mesh, faces, parent); });
@@ -118,21 +122,26 @@ void set_face(CMeshO &mesh, const Patch &patch, const std::vector<std::uint32_t>
 
 } // namespace
 
-Patch patch_of(const fairmesh::result &filled, std::size_t old_triangles, const CMeshO &mesh) {
-    const fairmesh_info info = filled.info();
-    const auto positions = filled.positions();
-    const auto triangles = filled.triangles();
-    const auto parents = filled.list(FAIRMESH_LIST_PARENTS);
+Patch new_vertices(const fairmesh::result &made, std::size_t first_new) {
+    const fairmesh_info info = made.info();
+    const auto positions = made.positions();
+    const auto parents = made.list(FAIRMESH_LIST_PARENTS);
     Patch patch;
-    patch.old_positions = rounded(mesh, positions);
-    patch.weights = filled.vectors(FAIRMESH_VECTORS_PARENT_WEIGHTS);
+    patch.weights = made.vectors(FAIRMESH_VECTORS_PARENT_WEIGHTS);
     for (std::size_t i = 0; i < info.new_vertex_count; ++i) {
-        const auto &p = positions[mesh.vert.size() + i];
+        const auto &p = positions[first_new + i];
         patch.positions.emplace_back(static_cast<Scalar>(p[0]), static_cast<Scalar>(p[1]), static_cast<Scalar>(p[2]));
         for (double x : p)
             if (!std::isfinite(static_cast<Scalar>(x))) throw Failure("A new position exceeds this MeshLab's range of numbers.");
         patch.parents.push_back({parents[3 * i], parents[3 * i + 1], parents[3 * i + 2]});
     }
+    return patch;
+}
+
+Patch patch_of(const fairmesh::result &filled, std::size_t old_triangles, const CMeshO &mesh) {
+    const auto triangles = filled.triangles();
+    Patch patch = new_vertices(filled, mesh.vert.size());
+    patch.old_positions = rounded(mesh, filled.positions());
     patch.triangles.assign(triangles.begin() + static_cast<std::ptrdiff_t>(old_triangles), triangles.end());
     return patch;
 }

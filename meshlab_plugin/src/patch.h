@@ -21,7 +21,14 @@ struct Patch {
     std::vector<std::array<std::uint32_t, 3>> parents;
     std::vector<std::array<double, 3>> weights;
     std::vector<std::array<std::uint32_t, 3>> triangles;
+    /** Per triangle an old face whose values it has; empty: that beside its first corner. */
+    std::vector<std::uint32_t> like;
+    /** With `like` and where the mesh has them, the texture coordinates of corners. */
+    std::vector<std::array<std::array<double, 2>, 3>> wedges;
 };
+
+/** The new vertices of a result whose positions from `first_new` on are new, with their parents. Throws Failure as below. */
+Patch new_vertices(const fairmesh::result &made, std::size_t first_new);
 
 /** What filled holes add to a mesh of so many triangles. Throws Failure if a number exceeds the host's range. */
 Patch patch_of(const fairmesh::result &filled, std::size_t old_triangles, const CMeshO &mesh);

@@ -37,6 +37,14 @@ const char BRIDGE[] = "<b>Joins two selected stretches of boundary by a strip, e
                       "which it divides, or on two parts.<br><br>"
                       "It goes on smoothly from both. Its free sides are curves; 'Fill the rest' closes the holes beside it, too.<br>";
 
+const char ROUND[] =
+    "<b>Rounds sharp edges: blends take their place, exactly smooth.</b> There is no undo: duplicate the layer first. Also after "
+    "booleans.<br><br>"
+    "Between planes a blend is a cylinder, elsewhere and in corners the smoothest surface there is. Outside of the blends the surface "
+    "stays "
+    "where it is; faces that reach into one are cut. Blends are narrower where there is less room, and edges without a sound blend stay "
+    "sharp: the log says which.<br>";
+
 const char CURVATURE[] =
     "<b>Writes how much the surface is curved at every vertex to its quality.</b> To see it, apply 'Colorize by vertex quality'.<br><br>"
     "It is the mean curvature, in 1 / length: negative where a closed surface bulges out (on a sphere of radius r it is -1/r), positive in "
@@ -53,6 +61,7 @@ QString name(int filter) {
     case CloseHoles: return "Fairmesh: Close Holes";
     case EraseAndFill: return "Fairmesh: Erase and Fill";
     case BridgeBoundaries: return "Fairmesh: Bridge Boundaries";
+    case RoundEdges: return "Fairmesh: Round Edges";
     case MeanCurvature: return "Fairmesh: Mean Curvature";
     default: return "";
     }
@@ -64,6 +73,7 @@ QString python_name(int filter) {
     case CloseHoles: return "meshing_close_holes_and_fair";
     case EraseAndFill: return "meshing_erase_and_fill_selection";
     case BridgeBoundaries: return "meshing_bridge_boundaries";
+    case RoundEdges: return "meshing_round_edges";
     case MeanCurvature: return "compute_scalar_by_smooth_mean_curvature_per_vertex";
     default: return "";
     }
@@ -75,6 +85,7 @@ QString help(int filter) {
     case CloseHoles: return QString::fromUtf8(CLOSE);
     case EraseAndFill: return QString::fromUtf8(ERASE);
     case BridgeBoundaries: return QString::fromUtf8(BRIDGE);
+    case RoundEdges: return QString::fromUtf8(ROUND);
     case MeanCurvature: return QString::fromUtf8(CURVATURE);
     default: return "";
     }

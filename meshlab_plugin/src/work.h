@@ -21,6 +21,9 @@ Values erase_and_fill(MeshModel &model, const MeshView &view, CloseParameters as
 /** Connects two selected stretches of boundary by a strip. */
 Values bridge_boundaries(MeshModel &model, const MeshView &view, BridgeParameters asked, const Host &host);
 
+/** Puts blends in place of creases. */
+Values round_edges(MeshModel &model, const MeshView &view, RoundParameters asked, const Host &host);
+
 /** Writes the mean curvature of all vertices to their quality; 0 to those without faces. */
 Values mean_curvature(MeshModel &model, const MeshView &view, const Host &host);
 

@@ -13,6 +13,7 @@ FAIR = "Fairmesh: Fair Selected Region"
 CLOSE = "Fairmesh: Close Holes"
 ERASE = "Fairmesh: Erase and Fill"
 BRIDGE = "Fairmesh: Bridge Boundaries"
+ROUND = "Fairmesh: Round Edges"
 CURVATURE = "Fairmesh: Mean Curvature"
 
 SOLVER = {
@@ -49,6 +50,12 @@ PARAMETERS = {
     },
     ERASE: {"outer_boundaries": ("RichBool", "false"), "clean_boundary": ("RichInt", 0), **RIM, **PATCH, **SOLVER},
     BRIDGE: {"width": ("RichFloat", 0), "fill_rest": ("RichBool", "false"), **PATCH, **SOLVER},
+    ROUND: {
+        "width": ("RichFloat", 0),
+        "radius": ("RichFloat", 0),
+        "creases": ("RichEnum", 0, 4),
+        "angle": ("RichFloat", 0),
+    },
     CURVATURE: {},
     "Close Holes": {
         "MaxHoleSize": ("RichInt", 10000),
@@ -118,7 +125,7 @@ def folder(plugin):
 
 
 #: In ../scripts, to begin with: each a filter with all its defaults.
-SCRIPTS = {"close_holes": CLOSE, "fair_selection": FAIR, "erase_and_fill": ERASE, "bridge_boundaries": BRIDGE}
+SCRIPTS = {"close_holes": CLOSE, "fair_selection": FAIR, "erase_and_fill": ERASE, "bridge_boundaries": BRIDGE, "round_edges": ROUND}
 
 
 class Server:

@@ -10,7 +10,7 @@ import unittest
 
 import meshes
 import numpy as np
-from server import BRIDGE, CLOSE, CURVATURE, ERASE, FAIR, SCRIPTS, Server, script
+from server import BRIDGE, CLOSE, CURVATURE, ERASE, FAIR, ROUND, SCRIPTS, Server, script
 
 FOLDER = pathlib.Path(tempfile.mkdtemp())
 FLOAT = 1.2e-7  # half a unit in the last place of 1, rounded up for sums
@@ -133,6 +133,16 @@ class Join(Case):
         mesh, text = self.applied(file, (BRIDGE, {"fill_rest": "true"}))
         self.assertRegex(text, r"Bridge from \d+ vertices to \d+, twisted by -?0\.\d degrees: .*holes closed beside it: 1; left open: 0")
         self.whole_sphere(mesh)
+
+    def test_edges_are_rounded(self):
+        vertices, faces = meshes.cube(2)
+        file = FOLDER / "cube.ply"
+        meshes.write_ply(file, vertices, faces)
+        mesh, text = self.applied(file, (ROUND, {"width": 0.2}))
+        self.assertRegex(text, r"Sharp edges from \d+\.?\d* degrees on: 12 from corner to corner, 12 of them rounded")
+        self.assertLess(meshes.off_rounded_cube(meshes.points(mesh), 0.2), 1e-3)
+        mesh, text = self.applied(file, ("Select Crease Edges", {}), (ROUND, {"radius": 0.1, "creases": 3}))
+        self.assertRegex(text, r"12 from corner to corner, 12 of them rounded")
 
     def test_rough_rims_are_relaxed(self):
         vertices, faces = meshes.open_sphere(4)

@@ -17,6 +17,7 @@ FAIR = "apply_coord_fairing_to_selection"
 CLOSE = "meshing_close_holes_and_fair"
 ERASE = "meshing_erase_and_fill_selection"
 BRIDGE = "meshing_bridge_boundaries"
+ROUND = "meshing_round_edges"
 CURVATURE = "compute_scalar_by_smooth_mean_curvature_per_vertex"
 PLUGIN = str(pathlib.Path(sys.argv.pop(1)).resolve()) if len(sys.argv) > 1 else ""
 
@@ -577,6 +578,56 @@ class Bridge(Case):
         ms = mesh_set(vertices, np.where(below[:, None], faces[:, ::-1], faces))
         ms.compute_selection_by_condition_per_vertex(condselect="x > 0 && abs(y) < 0.25 && abs(z) < 0.5")
         self.refused(ms, BRIDGE, "No bridge was made", "Invert Faces Orientation")
+
+
+class Rounded(Case):
+    def test_a_cube_gets_cylinders_and_its_faces_stay_planes(self):
+        for parameters in ({"width": 0.2}, {"radius": 0.2, "creases": "That stand out", "angle": 40}):
+            ms = mesh_set(*meshes.cube(2))
+            values = ms.apply_filter(ROUND, **parameters)
+            mesh = ms.current_mesh()
+            self.assertTrue(values["converged"])
+            self.assertEqual((values["creases"], values["rounded"], values["unsolved"], values["sharp_corners"]), (12, 12, 0, 0))
+            self.assertEqual(mesh.selected_face_number(), values["new_faces"])
+            vertices, faces = mesh.vertex_matrix(), mesh.face_matrix()
+            self.assertFalse(meshes.on_boundary(len(vertices), faces).any())
+            self.assertLess(meshes.off_rounded_cube(vertices, 0.2), 1e-3)
+            flat = vertices[faces[~mesh.face_selection_array()]]
+            self.assertTrue((np.abs(flat).min(axis=1).max(axis=1) == 1).all())
+
+    def test_only_selected_edges(self):
+        ms = mesh_set(*meshes.cube(2))
+        self.refused(ms, ROUND, "No edge is selected", width=0.2, creases="Selected edges")
+        ms.set_selection_crease_edges() if hasattr(ms, "set_selection_crease_edges") else ms.apply_filter("compute_selection_crease_per_edge")
+        self.assertEqual(ms.apply_filter(ROUND, width=0.2, creases="Selected edges")["rounded"], 12)
+
+    def test_what_faces_carry_goes_on(self):
+        vertices, faces = meshes.cube(4)
+        corners = vertices[faces]
+        side = np.abs(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])).argmax(axis=1)
+        wedges = np.array([np.delete(three, axis, axis=1) for three, axis in zip(corners, side)]).reshape(-1, 2)
+        colors = np.ones((len(faces), 4))
+        colors[:, :3] = 0.25 * (1 + side[:, None] == 1 + np.arange(3)) + 0.5
+        more = {} if OLD else {"w_tex_coords_matrix": wedges}
+        ms = mesh_set(vertices, faces, f_color_matrix=colors, v_scalar_array=vertices[:, 2], **more)
+        ms.apply_filter(ROUND, width=0.2)
+        mesh = ms.current_mesh()
+        after, new = mesh.vertex_matrix()[mesh.face_matrix()], mesh.face_selection_array()
+        side = np.abs(np.cross(after[:, 1] - after[:, 0], after[:, 2] - after[:, 0])).argmax(axis=1)
+        expected = 0.25 * (side[:, None] == np.arange(3)) + 0.5
+        self.assertLess(np.abs(mesh.face_color_matrix()[:, :3] - expected)[~new].max(), 1 / 200)
+        self.assertLess(np.abs(mesh.vertex_scalar_array() - mesh.vertex_matrix()[:, 2]).max(), 0.2)
+        if not OLD:
+            found = mesh.wedge_tex_coord_matrix().reshape(-1, 3, 2)
+            flat = np.array([np.delete(three, axis, axis=1) for three, axis in zip(after, side)])
+            self.assertLess(np.abs(found - flat)[~new].max(), 1e-5)
+
+    def test_what_cannot_be(self):
+        ms = mesh_set(*meshes.cube(2))
+        self.refused(ms, ROUND, "Give a width or a radius")
+        self.refused(ms, ROUND, "Give a width or a radius", width=0.1, radius=0.1)
+        self.refused(ms, ROUND, "Parameter width is negative", width=-0.1)
+        self.refused(ms, ROUND, "othing", width=0.1, creases="In folds")
 
 
 class Guides(Case):

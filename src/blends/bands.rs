@@ -371,17 +371,12 @@ fn is_sound(solution: &Solution) -> bool {
 }
 
 fn told(chain: &Chain, (part, at): (f64, Vector3<f64>), surface: &Surface<'_>) -> CreaseChain {
-    let first = chain.half_edges.iter().take(1).map(|&h| surface.origin(h));
+    let narrowed = (chain.is_chosen && part < 1.0).then(|| Narrowing {
+        part,
+        place: (at + surface.centre).into(),
+    });
     CreaseChain {
-        vertices: first
-            .chain(chain.half_edges.iter().map(|&h| surface.target(h)))
-            .collect(),
-        bend: chain.bend,
-        is_rounded: chain.is_chosen,
-        narrowed: (chain.is_chosen && part < 1.0).then(|| Narrowing {
-            part,
-            place: (at + surface.centre).into(),
-        }),
-        unsolved: chain.unsolved.map(|place| (place + surface.centre).into()),
+        narrowed,
+        ..CreaseChain::new(chain, surface)
     }
 }

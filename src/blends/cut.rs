@@ -24,6 +24,8 @@ pub(super) struct Cut<'a> {
     pub(super) level: &'a Level,
     /// The face of each triangle given.
     faces: &'a [u32],
+    /// Its label; none if all have the same.
+    labels: &'a [u32],
     /// Per vertex the sides near it.
     pub(super) near: Vec<Vec<Entry>>,
     /// Per vertex how far outside the band it is.
@@ -35,7 +37,7 @@ pub(super) struct Cut<'a> {
 }
 
 impl<'a> Cut<'a> {
-    pub(super) fn new(sheet: Sheet, level: &'a Level, faces: &'a [u32]) -> Self {
+    pub(super) fn new(sheet: Sheet, level: &'a Level, (faces, labels): (&'a [u32], &'a [u32])) -> Self {
         Self {
             near: vec![Vec::new(); sheet.x.len()],
             value: vec![f64::INFINITY; sheet.x.len()],
@@ -45,6 +47,7 @@ impl<'a> Cut<'a> {
             sheet,
             level,
             faces,
+            labels,
         }
     }
 
@@ -66,6 +69,12 @@ impl<'a> Cut<'a> {
     /// The face that a triangle belongs to.
     pub(super) fn face(&self, t: u32) -> u32 {
         self.faces[self.sheet.source[t as usize] as usize]
+    }
+
+    /// The label of a triangle.
+    pub(super) fn label(&self, t: u32) -> u32 {
+        let source = self.sheet.source[t as usize] as usize;
+        self.labels.get(source).copied().unwrap_or(0)
     }
 
     fn visit(&mut self, t: u32) {

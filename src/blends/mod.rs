@@ -27,5 +27,5 @@ mod unsolved;
 mod widths;
 
 pub use options::{Creases, RoundOptions};
-pub use round::{blend_vertices, round, round_with_progress};
+pub use round::{blend_vertices, find_creases, round, round_with_progress};
 pub use rounded::{CreaseChain, Narrowing, Rounded, SharpCorner};

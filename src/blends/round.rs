@@ -12,7 +12,7 @@ use super::cut::Cut;
 use super::face_normals::FaceNormals;
 use super::level::{Level, Side};
 use super::options::RoundOptions;
-use super::rounded::Rounded;
+use super::rounded::{CreaseChain, Rounded};
 use super::sheet::Sheet;
 use super::surface::Surface;
 use super::telling::Telling;
@@ -84,6 +84,7 @@ pub fn blend_vertices(
     options: &RoundOptions,
 ) -> Result<usize, Error> {
     options.validate()?;
+    check_labels(triangles, options)?;
     let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
     let surface = Surface::new(positions, &joined.triangles)?;
     let graph = CreaseGraph::new(&surface, &named_edges(&joined.copies, &surface, options)?);
@@ -93,12 +94,32 @@ pub fn blend_vertices(
     Ok(chosen.map(|c| level.vertices(c)).sum::<f64>() as usize)
 }
 
+/// The creases of a mesh, as [`round`] finds them, with those that it would round; and the angle in degrees that edges of creases bend by more than.
+///
+/// # Errors
+/// Those of [`round`] for the mesh and the edges that are named.
+pub fn find_creases(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    options: &RoundOptions,
+) -> Result<(Vec<CreaseChain>, f64), Error> {
+    let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
+    let surface = Surface::new(positions, &joined.triangles)?;
+    let graph = CreaseGraph::new(&surface, &named_edges(&joined.copies, &surface, options)?);
+    let chains = graph.chains.iter();
+    Ok((
+        chains.map(|chain| CreaseChain::new(chain, &surface)).collect(),
+        graph.least,
+    ))
+}
+
 fn rounded(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
     options: &RoundOptions,
     progress: &mut ProgressCallback<'_>,
 ) -> Result<Rounded, Error> {
+    check_labels(triangles, options)?;
     let mut telling = Telling::new(progress);
     let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
     let surface = Surface::new(positions, &joined.triangles)?;
@@ -108,7 +129,12 @@ fn rounded(
     loop {
         let through = through(&surface, &graph);
         let level = level(&surface, &graph, &through, options);
-        let cut = cut_out((&surface, &joined.triangles), &graph, &through, &level);
+        let cut = cut_out(
+            (&surface, &joined.triangles),
+            (&graph, &options.labels),
+            &through,
+            &level,
+        );
         let normals = FaceNormals {
             surface: &surface,
             graph: &graph,
@@ -128,7 +154,7 @@ const GIVEN_UP: usize = 4;
 /// Bands along the creases chosen, cut out.
 fn cut_out<'l>(
     (surface, triangles): (&Surface<'_>, &[[u32; 3]]),
-    graph: &'l CreaseGraph,
+    (graph, labels): (&'l CreaseGraph, &'l [u32]),
     through: &[Through],
     level: &'l Level,
 ) -> Cut<'l> {
@@ -138,7 +164,7 @@ fn cut_out<'l>(
         triangles.to_vec(),
         surface.links.opposite.clone(),
     );
-    let mut cut = Cut::new(sheet, level, &graph.faces);
+    let mut cut = Cut::new(sheet, level, (&graph.faces, labels));
     seed(&mut cut, surface, graph);
     seed_across(&mut cut, surface, graph, through);
     cut.spread();
@@ -165,6 +191,14 @@ fn check_size(surface: &Surface<'_>, graph: &CreaseGraph, options: &RoundOptions
     let length: f64 = chosen().map(|chain| chain.length(surface)).sum();
     let is_enough = PER_WIDTH * length <= MOST_POINTS * width;
     Error::check_option(name, width, is_enough, "larger, for creases as long as these")
+}
+
+/// # Errors
+/// [`Error::BadOption`] if there are labels, but not one for each triangle.
+fn check_labels(triangles: &[[u32; 3]], options: &RoundOptions) -> Result<(), Error> {
+    let count = options.labels.len();
+    let is_right = count == 0 || count == triangles.len();
+    Error::check_option("labels", count as f64, is_right, "one for each triangle")
 }
 
 /// The options, with the edges as the joined mesh has them.

@@ -1,5 +1,7 @@
 //! What comes of rounding.
 
+use super::crease_graph::Chain;
+use super::surface::Surface;
 use crate::fairing::Report;
 use crate::holes::Parents;
 
@@ -58,6 +60,22 @@ pub struct CreaseChain {
     pub narrowed: Option<Narrowing>,
     /// Where the worst of what was tried is, if it stays sharp as no sound blend was found.
     pub unsolved: Option<[f64; 3]>,
+}
+
+impl CreaseChain {
+    /// As far as the creases of the mesh tell it.
+    pub(super) fn new(chain: &Chain, surface: &Surface<'_>) -> Self {
+        let first = chain.half_edges.iter().take(1).map(|&h| surface.origin(h));
+        Self {
+            vertices: first
+                .chain(chain.half_edges.iter().map(|&h| surface.target(h)))
+                .collect(),
+            bend: chain.bend,
+            is_rounded: chain.is_chosen,
+            narrowed: None,
+            unsolved: chain.unsolved.map(|place| (place + surface.centre).into()),
+        }
+    }
 }
 
 /// A blend is narrower than asked.

@@ -264,7 +264,7 @@ impl fairmesh_bridge_options {
 }
 
 /// The lists of `RoundOptions`, checked.
-pub(crate) type RoundOptionsLists = [Array; 1];
+pub(crate) type RoundOptionsLists = [Array; 2];
 
 /// What rounding does. Fill it by `fairmesh_round_options_init`; then set `width` or `radius`. How blends are faired is in a `fairmesh_options`.
 #[repr(C)]
@@ -282,6 +282,8 @@ pub struct fairmesh_round_options {
     pub angle: f64,
     /// Edges that are rounded, and no others: pairs of vertices; they are creases however little they bend. Default: none, all creases are. Two indices side by side.
     pub edges: fairmesh_indices,
+    /// Labels of all triangles, one for each, as the numbers of their materials: borders between labels stay where they are, inside flat faces, too. Default: none, all have the same.
+    pub labels: fairmesh_indices,
 }
 
 impl fairmesh_round_options {
@@ -294,12 +296,13 @@ impl fairmesh_round_options {
             radius: 0.0,
             angle: 0.0,
             edges: fairmesh_indices::default(),
+            labels: fairmesh_indices::default(),
         }
     }
 
     /// Where an option is in this argument.
     pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
-        field_named!(argument, option, Self: creases width radius angle edges)
+        field_named!(argument, option, Self: creases width radius angle edges labels)
     }
 
     /// What needs no arrays and has no values of its own; all else as it is by default.
@@ -317,12 +320,14 @@ impl fairmesh_round_options {
     pub(crate) fn lists(&self, argument: Argument) -> CallResult<RoundOptionsLists> {
         Ok([
             indices_in(&self.edges, 2, field!(argument, Self.edges))?,
+            indices_in(&self.labels, 1, field!(argument, Self.labels))?,
         ])
     }
 
     /// Reads them.
     pub(crate) fn read_lists(lists: &RoundOptionsLists, into: &mut RoundOptions) -> CallResult {
         into.edges = lists[0].rows::<2>()?.into_owned();
+        into.labels = lists[1].list()?.into_owned();
         Ok(())
     }
 }

@@ -8,6 +8,7 @@ mod convert;
 mod format;
 mod geometry;
 pub mod image;
+mod labels;
 mod mark;
 mod mesh_file;
 pub mod obj;

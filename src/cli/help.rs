@@ -146,8 +146,8 @@ be made, nothing written; 3 written, but not fair: the report says why; 4 memory
 
 /// After the flags of `round`.
 pub const ROUND: &str = "\
-Faces stay where they are; those that reach into a blend are cut. The output has positions and triangles alone. Vertices are
-counted from 0, for OBJ too.
+Faces stay where they are; those that reach into a blend are cut. What is new has the colours, texture coordinates, materials
+and other properties of what was there. Vertices are counted from 0, for OBJ too.
 
 Exit codes: 0 all blends are fair; 2 wrong usage or input, nothing written; 3 written, but a blend is not fair: the report
 says why; 4 memory or threads ran out, nothing written; 5 written, but not the report about it.";

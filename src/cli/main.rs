@@ -14,6 +14,7 @@ mod bar;
 mod batch;
 mod bounds;
 mod bridge;
+mod chosen_creases;
 mod comparison;
 mod completions;
 mod component_report;

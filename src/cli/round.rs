@@ -9,6 +9,7 @@ use fairmesh::{Creases, Narrowing, Options, OutputPrecision, RoundOptions, Round
 use serde_json::{Value, json};
 
 use crate::answer::Answer;
+use crate::chosen_creases::CreaseArgs;
 use crate::comparison::{MeshSide, PictureArgs, story};
 use crate::explain;
 use crate::failure::Failure;
@@ -18,7 +19,6 @@ use crate::formats::{MeshFile, references};
 use crate::orientation;
 use crate::patches::{Files, MarkArgs, fairing};
 use crate::rounded_file;
-use crate::sharp_edges::{MarkedChain, marked_chain};
 use crate::surface::{IntersectionArgs, MeshArgs};
 
 /// Creases by whether material or air is inside them.
@@ -58,10 +58,12 @@ pub struct RoundArgs {
     /// Which creases are rounded
     #[arg(long, value_name = "WHICH", value_enum, default_value_t)]
     creases: CreaseKind,
-    /// Only edges from each of these vertices to the next one are rounded, however little
-    /// they bend; may be given several times
-    #[arg(long, value_name = "A,B,...", value_parser = marked_chain, verbatim_doc_comment)]
-    edges: Vec<MarkedChain>,
+    /// Refuse where there is less room than the width asked for; otherwise blends are
+    /// narrower there
+    #[arg(long, verbatim_doc_comment)]
+    fit: bool,
+    #[command(flatten)]
+    chosen: CreaseArgs,
     /// Stop when the vertices move less than this part of a blend's diagonal, between
     /// 0 and 1 [default: 1e-8]
     #[arg(long, value_name = "X", verbatim_doc_comment)]
@@ -107,12 +109,13 @@ pub fn run(args: &RoundArgs) -> Result<bool, Failure> {
     let pictures = args.pictures.prepare(&args.input, &args.output)?;
     let solving = Instant::now();
     let geometry = &mesh.geometry;
-    let rounded = round(
-        &geometry.positions,
-        &geometry.triangles,
-        &options(args, precision),
-    )
-    .map_err(|error| refusal(args, &mesh, &error))?;
+    let mut options = options(args, &mesh, precision);
+    options.edges = args.chosen.edges(&mesh, &args.input, &options)?;
+    let rounded = round(&geometry.positions, &geometry.triangles, &options)
+        .map_err(|error| refusal(args, &mesh, &error))?;
+    if args.fit {
+        fits(args, &rounded)?;
+    }
     let solve = solving.elapsed().as_secs_f64();
     let (bytes, first) = rounded_file::written(&mesh, (&args.input, format), &rounded, &args.mark)?;
     let led = references::led(bytes, format, &args.input, &args.output);
@@ -148,7 +151,7 @@ pub fn run(args: &RoundArgs) -> Result<bool, Failure> {
     Ok(is_good)
 }
 
-fn options(args: &RoundArgs, output_precision: OutputPrecision) -> RoundOptions {
+fn options(args: &RoundArgs, mesh: &MeshFile, output_precision: OutputPrecision) -> RoundOptions {
     let defaults = Options::default();
     RoundOptions {
         width: args.width.unwrap_or(0.0),
@@ -159,7 +162,7 @@ fn options(args: &RoundArgs, output_precision: OutputPrecision) -> RoundOptions 
             CreaseKind::Convex => Creases::Convex,
             CreaseKind::Concave => Creases::Concave,
         },
-        edges: args.edges.iter().flat_map(MarkedChain::edges).collect(),
+        labels: mesh.labels(),
         fairing: Options {
             tolerance: args.tolerance.unwrap_or(defaults.tolerance),
             output_precision,
@@ -168,6 +171,7 @@ fn options(args: &RoundArgs, output_precision: OutputPrecision) -> RoundOptions 
             coincident: args.mesh.coincident,
             ..defaults
         },
+        ..RoundOptions::default()
     }
 }
 
@@ -180,6 +184,26 @@ fn refusal(args: &RoundArgs, mesh: &MeshFile, error: &fairmesh::Error) -> Failur
         )),
         _ => explain::refusal(&args.input, mesh, error),
     }
+}
+
+/// Refuses blends that are narrower than asked.
+fn fits(args: &RoundArgs, rounded: &Rounded) -> Result<(), Failure> {
+    let narrowed: Vec<&Narrowing> = rounded
+        .chains
+        .iter()
+        .filter_map(|chain| chain.narrowed.as_ref())
+        .collect();
+    let Some(least) = narrowed.iter().min_by(|a, b| a.part.total_cmp(&b.part)) else {
+        return Ok(());
+    };
+    let all: Vec<[f64; 3]> = narrowed.iter().map(|of| of.place).collect();
+    Err(Failure::new(format!(
+        "{}: {} creases have less room than that, down to {} % of it: at {}; --fit refuses that",
+        args.input.display(),
+        all.len(),
+        significant(100.0 * least.part),
+        places(&all)
+    )))
 }
 
 fn readable(rounded: &Rounded) -> String {

@@ -239,10 +239,11 @@ fn lists(made: &mut String, part: &str, entries: &[OptionEntry]) {
             checks,
             "            indices_in(&self.{name}, {width}, field!(argument, Self.{name}))?,"
         );
-        let _ = writeln!(
-            reads,
-            "        into.{field} = lists[{k}].rows::<{width}>()?.into_owned();"
-        );
+        let read = match width {
+            1 => "list()".to_owned(),
+            _ => format!("rows::<{width}>()"),
+        };
+        let _ = writeln!(reads, "        into.{field} = lists[{k}].{read}?.into_owned();");
     }
     let _ = write!(
         made,

@@ -40,7 +40,13 @@ const READ: [&str; 16] = [
 ];
 
 /// Structs whose plain fields programs set by name.
-const SET: [&str; 5] = ["options", "fillOptions", "bridgeOptions", "roundOptions", "remeshOptions"];
+const SET: [&str; 5] = [
+    "options",
+    "fillOptions",
+    "bridgeOptions",
+    "roundOptions",
+    "remeshOptions",
+];
 
 /// The text of `abi.ts`.
 pub fn declarations(items: &[Item]) -> String {

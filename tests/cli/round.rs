@@ -202,3 +202,119 @@ fn new_faces_are_marked_by_a_property() {
     let (_, error) = expect(&directory, &[&round[..7], &["two words"]].concat(), 2);
     assert!(error.contains("one word"), "{error}");
 }
+
+#[test]
+fn the_border_of_two_materials_inside_a_flat_face_stays_where_it_is() {
+    let directory = directory("round-materials");
+    // A cube from -1 to 1 whose upper face is two, divided where x is 0.
+    let mut text = String::new();
+    for [x, y, z] in [
+        [-1, -1, -1],
+        [1, -1, -1],
+        [1, 1, -1],
+        [-1, 1, -1],
+        [-1, -1, 1],
+        [1, -1, 1],
+        [1, 1, 1],
+        [-1, 1, 1],
+        [0, -1, 1],
+        [0, 1, 1],
+    ] {
+        text += &format!("v {x} {y} {z}\n");
+    }
+    text += "usemtl side\nf 4 3 2 1\nf 1 2 6 9 5\nf 2 3 7 6\nf 3 4 8 10 7\nf 4 1 5 8\n";
+    text += "usemtl left\nf 5 9 10 8\nusemtl right\nf 9 6 7 10\n";
+    fs::write(directory.join("in.obj"), text).unwrap();
+    expect(
+        &directory,
+        &["round", "in.obj", "-o", "out.obj", "--width", "0.2"],
+        0,
+    );
+    let made = fs::read_to_string(directory.join("out.obj")).unwrap();
+    let vertices = numbers_of(&made, "v ");
+    let (mut material, mut reach) = ("", [f64::NEG_INFINITY; 2]);
+    for line in made.lines() {
+        match line.split_once(' ') {
+            Some(("usemtl", name)) => material = name,
+            Some(("f", face)) => {
+                let numbers = face.split(' ').map(|v| v.parse::<usize>().unwrap());
+                let corners: Vec<&Vec<f64>> = numbers.map(|v| &vertices[v - 1]).collect();
+                if corners.iter().all(|p| p[2] == 1.0) {
+                    let side = ["left", "right"]
+                        .iter()
+                        .position(|&name| name == material)
+                        .unwrap();
+                    let sign = [1.0, -1.0][side];
+                    reach[side] = corners.iter().fold(reach[side], |most, p| most.max(sign * p[0]));
+                }
+            }
+            _ => {}
+        }
+    }
+    assert_eq!(reach, [0.0; 2]);
+}
+
+#[test]
+fn creases_are_chosen_by_places_and_regions_and_too_little_room_is_refused_on_wish() {
+    let directory = directory("round-chosen");
+    let words = |v: [i32; 3]| v.map(|c| c.to_string()).join(" ");
+    let mut text = String::new();
+    CORNERS.iter().for_each(|&v| text += &format!("v {}\n", words(v)));
+    for [a, b, c, d] in SIDES.map(|of| of.map(|v| v + 1)) {
+        text += &format!("f {a} {b} {c} {d}\n");
+    }
+    fs::write(directory.join("in.obj"), text).unwrap();
+    let rounded = |more: &[&str], code: i32| {
+        let first = ["round", "in.obj", "-o", "out.obj", "--json", "r.json"];
+        expect(&directory, &[&first[..], more].concat(), code)
+    };
+    let ends = |more: &[&str]| -> Vec<Vec<i64>> {
+        rounded(more, 0);
+        let told = report(&directory);
+        let done = told["chains"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .filter(|chain| chain["rounded"] == true);
+        let numbers = |of: &Value| {
+            of.as_array()
+                .unwrap()
+                .iter()
+                .map(|v| v.as_i64().unwrap())
+                .collect()
+        };
+        let mut all: Vec<Vec<i64>> = done.map(|chain| numbers(&chain["vertices"])).collect();
+        all.iter_mut().for_each(|ends| ends.sort_unstable());
+        all
+    };
+    let middle = |a: usize, b: usize| {
+        let place = [0, 1, 2].map(|k| 0.5 * f64::from(CORNERS[a][k] + CORNERS[b][k]));
+        place.map(|c| c.to_string()).join(",")
+    };
+    assert_eq!(ends(&["--width", "0.2", "--near", &middle(0, 1)]), [[0, 1]]);
+    let both = [&middle(0, 1)[..], &middle(0, 3)]
+        .map(|place| ["--near", place])
+        .concat();
+    assert_eq!(ends(&[&["--width", "0.2"][..], &both].concat()), [[0, 1], [0, 3]]);
+    // Everything; and a side alone, which has no edge inside.
+    assert_eq!(ends(&["--width", "0.2", "--component-at", "0"]).len(), 12);
+    let [a, b, c, d] = SIDES[0].map(|v| CORNERS[v].map(f64::from));
+    let centre = [0, 1, 2].map(|k| 0.25 * (a[k] + b[k] + c[k] + d[k]));
+    let plane = [centre, centre]
+        .concat()
+        .iter()
+        .map(f64::to_string)
+        .collect::<Vec<String>>()
+        .join(",");
+    let told = rounded(&["--width", "0.2", "--halfspace", &plane], 2);
+    assert!(
+        told.contains("no edge that bends enough lies between two of these faces"),
+        "{told}"
+    );
+    rounded(&["--width", "0.2", "--fit"], 0);
+    let told = rounded(&["--width", "3", "--fit"], 2);
+    assert!(
+        told.contains("12 creases have less room than that") && told.contains("--fit refuses that"),
+        "{told}"
+    );
+}

@@ -154,6 +154,69 @@ fn vertices_that_stay_come_first_and_new_ones_have_parents_near_them() {
 }
 
 /// A width or radius that cannot be, and what is said of it.
+/// The cube, each face in `n` by `n` squares; vertices on its edges are there for each face.
+fn divided_cube(n: u32) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let (mut positions, mut triangles) = (Vec::new(), Vec::new());
+    let at = |i: u32| 2.0 * f64::from(i) / f64::from(n) - 1.0;
+    for (axis, side) in (0..3).flat_map(|axis| [(axis, -1.0), (axis, 1.0)]) {
+        let base = positions.len() as u32;
+        for (j, i) in (0..=n).flat_map(|j| (0..=n).map(move |i| (j, i))) {
+            let mut p = [side; 3];
+            (p[(axis + 1) % 3], p[(axis + 2) % 3]) = (at(i), at(j));
+            positions.push(p);
+            if i < n && j < n {
+                let a = base + (n + 1) * j + i;
+                let [b, c, d] = [a + 1, a + n + 2, a + n + 1];
+                let turned = |t: [u32; 3]| if side > 0.0 { t } else { [t[0], t[2], t[1]] };
+                triangles.extend([[a, b, c], [a, c, d]].map(turned));
+            }
+        }
+    }
+    (positions, triangles)
+}
+
+/// How far parts of triangles on one side of x = 0 reach over to the other.
+fn reaches_over(labels: Vec<u32>) -> f64 {
+    let (positions, triangles) = divided_cube(2);
+    let options = RoundOptions {
+        width: 0.2,
+        labels,
+        ..RoundOptions::default()
+    };
+    let made = round(&positions, &triangles, &options).unwrap();
+    assert!(made.is_complete());
+    let mut over = 0.0_f64;
+    for (t, &from) in made.triangles.iter().zip(&made.kept_triangles) {
+        let is_left = triangles[from as usize]
+            .iter()
+            .any(|&v| positions[v as usize][0] < 0.0);
+        for &v in t {
+            let x = made.positions[v as usize][0];
+            over = over.max(if is_left { x } else { -x });
+        }
+    }
+    over
+}
+
+#[test]
+fn borders_between_labels_stay_where_they_are() {
+    let (positions, triangles) = divided_cube(2);
+    let label = |t: &[u32; 3]| u32::from(t.iter().any(|&v| positions[v as usize][0] < 0.0));
+    assert_eq!(reaches_over(triangles.iter().map(label).collect()), 0.0);
+    // Without them rails have vertices as they need them.
+    assert!(reaches_over(Vec::new()) > 1e-3);
+    let options = RoundOptions {
+        width: 0.2,
+        labels: vec![0; 3],
+        ..RoundOptions::default()
+    };
+    let refused = round(&positions, &triangles, &options).unwrap_err();
+    assert!(
+        matches!(refused, Error::BadOption { name: "labels", .. }),
+        "{refused}"
+    );
+}
+
 #[test]
 fn widths_that_cannot_be_are_refused() {
     let cube = cube();

@@ -42,6 +42,7 @@ if HAS_NUMPY:
         manual,
         panel,
         presets,
+        round_operator,
         selected,
         settings,
     )
@@ -58,6 +59,7 @@ if HAS_NUMPY:
         join_operator,
         bridge_operator,
         erase_operator,
+        round_operator,
         curvature_operator,
         manual,
         presets,

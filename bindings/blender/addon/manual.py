@@ -17,6 +17,7 @@ _SECTIONS = (
     ("bpy.ops.mesh.fairmesh_join_loops*", "join-loops-and-fair"),
     ("bpy.ops.mesh.fairmesh_bridge*", "bridge-edges-and-fair"),
     ("bpy.ops.mesh.fairmesh_erase_and_fill*", "erase-and-fill"),
+    ("bpy.ops.mesh.fairmesh_round_edges*", "round-edges"),
     ("bpy.ops.mesh.fairmesh_show_curvature*", "show-curvature"),
     ("bpy.ops.mesh.fairmesh_hide_curvature*", "show-curvature"),
     ("bpy.ops.mesh.fairmesh_select_found*", "fair-selection"),

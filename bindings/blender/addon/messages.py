@@ -151,6 +151,27 @@ def bridged(result, is_faired):
     return "WARNING", text + (f", not fair: {reason(rough[0], {})}" if rough else "") + _sharp_edges(reports)
 
 
+def rounded(mesh, result):
+    """How rounding went: ("INFO" or "WARNING", text). What stays sharp, or is narrower than asked, can be selected then."""
+    done = [crease for crease in result.creases if crease.is_rounded]
+    sharp = [crease for crease in result.creases if crease.is_unsolved]
+    narrow = [crease for crease in done if crease.part < 0.999]
+    text = f"{_many(len(done), 'run', 'runs')} of edges rounded"
+    if sharp:
+        text += f"; {_many(len(sharp), 'run stays', 'runs stay')} sharp, as no sound blend was found"
+    if len(result.sharp_corners):
+        text += f"; {_many(len(result.sharp_corners), 'corner stays', 'corners stay')} sharp, and blends end before"
+    if narrow:
+        least = min(crease.part for crease in narrow)
+        text += f"; {len(narrow)} narrower than asked, where there is less room: down to {100 * least:.0f} %"
+    report = result.report
+    if report.loose_reason is LooseReason.SHARP_EDGE:
+        text += "; sharp edges that are not rounded end at blends"
+    elif not result.is_success and not sharp and not len(result.sharp_corners):
+        text = _sentences(text, faired(report, is_patch=True)[1])
+    return ("INFO" if result.is_success and not narrow else "WARNING"), text
+
+
 def faces(count):
     """The subject of a sentence."""
     return _many(count, "face was", "faces were")

@@ -11,6 +11,7 @@ from .fair_operator import MESH_OT_fairmesh_fair
 from .fill_operator import MESH_OT_fairmesh_fill_all_holes, MESH_OT_fairmesh_fill_holes
 from .join_operator import MESH_OT_fairmesh_join_loops
 from .live_operator import MESH_OT_fairmesh_live
+from .round_operator import MESH_OT_fairmesh_round_edges
 
 _OPERATORS = (
     (MESH_OT_fairmesh_fair, "MOD_SMOOTH"),
@@ -20,6 +21,7 @@ _OPERATORS = (
     (MESH_OT_fairmesh_bridge, "MOD_SKIN"),
     (MESH_OT_fairmesh_fill_holes, "MESH_DATA"),
     (MESH_OT_fairmesh_fill_all_holes, "MESH_DATA"),
+    (MESH_OT_fairmesh_round_edges, "MOD_BEVEL"),
 )
 
 
@@ -128,7 +130,20 @@ class VIEW3D_PT_fairmesh_holes(_Options, bpy.types.Panel):
         settings.draw_bridge(layout)
 
 
-_CLASSES = (VIEW3D_PT_fairmesh, VIEW3D_PT_fairmesh_options, VIEW3D_PT_fairmesh_patches, VIEW3D_PT_fairmesh_holes)
+class VIEW3D_PT_fairmesh_edges(_Options, bpy.types.Panel):
+    bl_label = "Round Edges"
+
+    def draw_options(self, layout, settings):
+        settings.draw_round(layout)
+
+
+_CLASSES = (
+    VIEW3D_PT_fairmesh,
+    VIEW3D_PT_fairmesh_options,
+    VIEW3D_PT_fairmesh_patches,
+    VIEW3D_PT_fairmesh_holes,
+    VIEW3D_PT_fairmesh_edges,
+)
 
 
 def register():

@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import PointerProperty
 
-from . import fairing_options, patch_options
+from . import fairing_options, patch_options, round_options
 
 _OPTIONS = (
     fairing_options.RegionOptions,
@@ -19,6 +19,7 @@ _OPTIONS = (
     patch_options.RelatedOptions,
     patch_options.JoinOptions,
     patch_options.BridgeOptions,
+    round_options.RoundOptions,
 )
 
 

@@ -33,6 +33,8 @@ class Snapshot:
     vertex_hidden: np.ndarray
     face_selected: np.ndarray
     face_hidden: np.ndarray
+    #: The number of each face's material, (p,).
+    materials: np.ndarray
     #: The corners of all faces one after the other: their vertices and edges, and where each face begins, (p + 1,).
     corners: np.ndarray
     edge_of_corner: np.ndarray
@@ -112,6 +114,7 @@ def read(obj):
         vertex_hidden=_get(mesh.vertices, "hide", bool),
         face_selected=_get(mesh.polygons, "select", bool),
         face_hidden=_get(mesh.polygons, "hide", bool),
+        materials=_get(mesh.polygons, "material_index", np.int32),
         corners=corners,
         edge_of_corner=edge_of_corner,
         corner_starts=np.concatenate([[0], np.cumsum(sizes, dtype=np.int64)]),

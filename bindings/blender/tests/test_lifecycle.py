@@ -28,6 +28,7 @@ OPERATORS = (
     "fairmesh_join_loops",
     "fairmesh_bridge",
     "fairmesh_erase_and_fill",
+    "fairmesh_round_edges",
     "fairmesh_live",
     "fairmesh_show_curvature",
     "fairmesh_hide_curvature",
@@ -186,7 +187,7 @@ def test_the_menus_are_left_as_they_were():
     for menu in MENUS:
         drawn = getattr(bpy.types, menu).draw._draw_funcs
         ours = [f for f in drawn if f.__module__.startswith(common.NAME)]
-        wanted = {"clean": 8, "vertices": 3, "edges": 5, "faces": 4, "delete": 1, "menu": 6}
+        wanted = {"clean": 8, "vertices": 3, "edges": 6, "faces": 4, "delete": 1, "menu": 7}
         assert len(ours) == wanted[menu.rpartition("_")[2]], ours
 
 
@@ -201,7 +202,7 @@ def test_the_right_click_menu_has_what_the_select_mode_is_for():
         return {name.partition("fairmesh_")[2] for name in found}
 
     assert entries(True, False, False) == {"fair", "live", "fill_holes"}
-    assert entries(False, True, False) == {"fair", "live", "fill_holes", "join_loops", "bridge"}
+    assert entries(False, True, False) == {"fair", "live", "fill_holes", "join_loops", "bridge", "round_edges"}
     assert entries(False, False, True) == {"fair", "live", "erase_and_fill"}
 
 
@@ -218,7 +219,7 @@ def test_tooltips_are_short_enough_for_blender():
 def test_the_sidebar_has_every_option():
     """But for which of two buttons it is, the range of colours, and what is dragged."""
     settings = set(bpy.types.Scene.bl_rna.properties["fairmesh"].fixed_type.properties.keys())
-    for name in OPERATORS[:6]:
+    for name in OPERATORS[:7]:
         options = set(getattr(bpy.ops.mesh, name).get_rna_type().properties.keys())
         assert options - settings <= {"rna_type", "scope", "edits", "mirror", "kind", "vertex", "hold"}, (
             name,

@@ -14,7 +14,7 @@ use crate::formats::patches::Patches;
 use crate::text::{self, Words};
 use lines::logical_line;
 
-pub use grow::grown;
+pub use grow::{grown, settings};
 pub use materials::materials_and_corners;
 pub use only::{has_other_lines, only, turn};
 

@@ -29,7 +29,7 @@ pub(super) struct Attributes {
 const SETTINGS: [&[u8]; 3] = [b"g", b"usemtl", b"s"];
 
 /// The last such lines.
-type Settings = [Option<Range<usize>>; SETTINGS.len()];
+pub type Settings = [Option<Range<usize>>; SETTINGS.len()];
 
 /// The file with lines for new vertices and faces behind its own. `was` is what attributes are carried over from.
 pub fn grown(bytes: &[u8], added: &Added<'_>, was: Option<&[u8]>, faces: &[[u32; 3]]) -> Vec<u8> {
@@ -126,6 +126,11 @@ pub fn grown(bytes: &[u8], added: &Added<'_>, was: Option<&[u8]>, faces: &[[u32;
         out.push(b'\n');
     }
     out
+}
+
+/// Per triangle the lines that say its group, material and smoothing.
+pub fn settings(bytes: &[u8]) -> Vec<Settings> {
+    Attributes::read(bytes, 0).settings
 }
 
 impl Attributes {

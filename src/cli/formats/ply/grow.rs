@@ -196,7 +196,7 @@ impl Ply {
     }
 
     /// The values of a face's properties that are numbers; zero for the others.
-    fn numbers_of_face(&self, bytes: &[u8], face: usize) -> Vec<f64> {
+    pub fn numbers_of_face(&self, bytes: &[u8], face: usize) -> Vec<f64> {
         let properties = &self.face.element.properties;
         let rows = self.rows(bytes, &self.face);
         let mut values = vec![0.0; properties.len()];
