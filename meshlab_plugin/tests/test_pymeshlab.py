@@ -598,14 +598,14 @@ class Rounded(Case):
     def test_only_selected_edges(self):
         ms = mesh_set(*meshes.cube(2))
         self.refused(ms, ROUND, "No edge is selected", width=0.2, creases="Selected edges")
-        ms.set_selection_crease_edges() if hasattr(ms, "set_selection_crease_edges") else ms.apply_filter("compute_selection_crease_per_edge")
+        ms.apply_filter("compute_selection_crease_per_edge")
         self.assertEqual(ms.apply_filter(ROUND, width=0.2, creases="Selected edges")["rounded"], 12)
 
     def test_what_faces_carry_goes_on(self):
         vertices, faces = meshes.cube(4)
         corners = vertices[faces]
         side = np.abs(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])).argmax(axis=1)
-        wedges = np.array([np.delete(three, axis, axis=1) for three, axis in zip(corners, side)]).reshape(-1, 2)
+        wedges = np.array([np.delete(three, axis, axis=1) for three, axis in zip(corners, side, strict=True)]).reshape(-1, 2)
         colors = np.ones((len(faces), 4))
         colors[:, :3] = 0.25 * (1 + side[:, None] == 1 + np.arange(3)) + 0.5
         more = {} if OLD else {"w_tex_coords_matrix": wedges}
@@ -619,7 +619,7 @@ class Rounded(Case):
         self.assertLess(np.abs(mesh.vertex_scalar_array() - mesh.vertex_matrix()[:, 2]).max(), 0.2)
         if not OLD:
             found = mesh.wedge_tex_coord_matrix().reshape(-1, 3, 2)
-            flat = np.array([np.delete(three, axis, axis=1) for three, axis in zip(after, side)])
+            flat = np.array([np.delete(three, axis, axis=1) for three, axis in zip(after, side, strict=True)])
             self.assertLess(np.abs(found - flat)[~new].max(), 1e-5)
 
     def test_what_cannot_be(self):

@@ -266,7 +266,7 @@ fn creases_are_chosen_by_places_and_regions_and_too_little_room_is_refused_on_wi
     fs::write(directory.join("in.obj"), text).unwrap();
     let rounded = |more: &[&str], code: i32| {
         let first = ["round", "in.obj", "-o", "out.obj", "--json", "r.json"];
-        expect(&directory, &[&first[..], more].concat(), code)
+        expect(&directory, &[&first[..], more].concat(), code).1
     };
     let ends = |more: &[&str]| -> Vec<Vec<i64>> {
         rounded(more, 0);
@@ -292,10 +292,9 @@ fn creases_are_chosen_by_places_and_regions_and_too_little_room_is_refused_on_wi
         place.map(|c| c.to_string()).join(",")
     };
     assert_eq!(ends(&["--width", "0.2", "--near", &middle(0, 1)]), [[0, 1]]);
-    let both = [&middle(0, 1)[..], &middle(0, 3)]
-        .map(|place| ["--near", place])
-        .concat();
-    assert_eq!(ends(&[&["--width", "0.2"][..], &both].concat()), [[0, 1], [0, 3]]);
+    let places = [middle(0, 1), middle(6, 7)];
+    let both = places.each_ref().map(|place| ["--near", place.as_str()]).concat();
+    assert_eq!(ends(&[&["--width", "0.2"][..], &both].concat()), [[0, 1], [6, 7]]);
     // Everything; and a side alone, which has no edge inside.
     assert_eq!(ends(&["--width", "0.2", "--component-at", "0"]).len(), 12);
     let [a, b, c, d] = SIDES[0].map(|v| CORNERS[v].map(f64::from));
