@@ -269,6 +269,10 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_NOT_AN_EDGE = 43,
     /**
+     * No edge bends enough to be rounded.
+     */
+    FAIRMESH_STATUS_NO_CREASE = 44,
+    /**
      * A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
      */
     FAIRMESH_STATUS_INTERNAL = 99,
@@ -3748,7 +3752,7 @@ fairmesh_status fairmesh_bridge(const struct fairmesh_mesh *mesh,
  * those of the blends.
  *
  * `round` needs a width or a radius. `options` may be NULL; its normals, curvature, target, `sharp` and marked edges are not looked at. `result` gets a
- * handle, with one report, 0, of the fairing of all blends. Free it. EMPTY_REGION where there is nothing to be rounded.
+ * handle, with one report, 0, of the fairing of all blends. Free it. NO_CREASE where there is nothing to be rounded.
  */
 FAIRMESH_API
 fairmesh_status fairmesh_round(const struct fairmesh_mesh *mesh,

@@ -33,21 +33,6 @@ def flared_tube(around=12, rows=7, outer=3, flare=40.0):
     return vertices.reshape(-1, 3), faces
 
 
-def cube(n):
-    """The cube from -1 to 1, each face in n by n squares: (vertices, faces), outward orientation."""
-    i, j = (each.ravel() for each in np.meshgrid(*2 * [np.linspace(-1, 1, n + 1)]))
-    a = (np.arange(n)[:, None] * (n + 1) + np.arange(n)).ravel()
-    square = np.vstack([np.stack(t, axis=1) for t in ((a, a + 1, a + n + 2), (a, a + n + 2, a + n + 1))])
-    points, faces = [], []
-    for axis in range(3):
-        for side in (-1, 1):
-            face = np.stack([np.full(len(i), side), i, j], axis=1)
-            faces.append(len(points) * len(i) + (square if side > 0 else square[:, ::-1]))
-            points.append(np.roll(face, axis, axis=1))
-    vertices, which = np.unique(np.vstack(points), axis=0, return_inverse=True)
-    return vertices, which.ravel()[np.vstack(faces)]
-
-
 def off_rounded_cube(vertices, radius):
     """How far vertices are from the cube whose edges are cylinders of this radius, away from its corners."""
     away = (np.abs(vertices) < 1 - 3 * radius).any(axis=1)
@@ -117,6 +102,12 @@ def cube(cells):
             points.append(np.stack(np.roll([np.full(u.shape, height), u, v], axis, axis=0), axis=-1).reshape(-1, 3))
     vertices, number = np.unique(np.vstack(points), axis=0, return_inverse=True)
     return vertices.astype(float), number.ravel()[np.vstack(faces)]
+
+
+def centred_cube(cells):
+    """The same from -1 to 1."""
+    vertices, faces = cube(cells)
+    return 2 * vertices / cells - 1, faces
 
 
 def roof(is_fading):

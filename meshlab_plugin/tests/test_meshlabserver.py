@@ -135,7 +135,7 @@ class Join(Case):
         self.whole_sphere(mesh)
 
     def test_edges_are_rounded(self):
-        vertices, faces = meshes.cube(2)
+        vertices, faces = meshes.centred_cube(2)
         file = FOLDER / "cube.ply"
         meshes.write_ply(file, vertices, faces)
         mesh, text = self.applied(file, (ROUND, {"width": 0.2}))

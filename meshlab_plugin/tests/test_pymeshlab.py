@@ -583,7 +583,7 @@ class Bridge(Case):
 class Rounded(Case):
     def test_a_cube_gets_cylinders_and_its_faces_stay_planes(self):
         for parameters in ({"width": 0.2}, {"radius": 0.2, "creases": "That stand out", "angle": 40}):
-            ms = mesh_set(*meshes.cube(2))
+            ms = mesh_set(*meshes.centred_cube(2))
             values = ms.apply_filter(ROUND, **parameters)
             mesh = ms.current_mesh()
             self.assertTrue(values["converged"])
@@ -596,13 +596,13 @@ class Rounded(Case):
             self.assertTrue((np.abs(flat).min(axis=1).max(axis=1) == 1).all())
 
     def test_only_selected_edges(self):
-        ms = mesh_set(*meshes.cube(2))
+        ms = mesh_set(*meshes.centred_cube(2))
         self.refused(ms, ROUND, "No edge is selected", width=0.2, creases="Selected edges")
         ms.apply_filter("compute_selection_crease_per_edge")
         self.assertEqual(ms.apply_filter(ROUND, width=0.2, creases="Selected edges")["rounded"], 12)
 
     def test_what_faces_carry_goes_on(self):
-        vertices, faces = meshes.cube(4)
+        vertices, faces = meshes.centred_cube(4)
         corners = vertices[faces]
         side = np.abs(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])).argmax(axis=1)
         wedges = np.array([np.delete(three, axis, axis=1) for three, axis in zip(corners, side, strict=True)]).reshape(-1, 2)
@@ -623,11 +623,11 @@ class Rounded(Case):
             self.assertLess(np.abs(found - flat)[~new].max(), 1e-5)
 
     def test_what_cannot_be(self):
-        ms = mesh_set(*meshes.cube(2))
+        ms = mesh_set(*meshes.centred_cube(2))
         self.refused(ms, ROUND, "Give a width or a radius")
         self.refused(ms, ROUND, "Give a width or a radius", width=0.1, radius=0.1)
         self.refused(ms, ROUND, "Parameter width is negative", width=-0.1)
-        self.refused(ms, ROUND, "othing", width=0.1, creases="In folds")
+        self.refused(ms, ROUND, "No edge bends enough", width=0.1, creases="In folds")
 
 
 class Guides(Case):

@@ -44,7 +44,7 @@ use crate::support::error::Error;
 /// ```
 ///
 /// # Errors
-/// [`Error::BadOption`]; [`Error::NotAnEdge`] for one that is named; [`Error::NonManifoldEdge`] and the like for a flaw anywhere; [`Error::EmptyRegion`] where there is nothing to be rounded, and
+/// [`Error::BadOption`]; [`Error::NotAnEdge`] for one that is named; [`Error::NonManifoldEdge`] and the like for a flaw anywhere; [`Error::NoCrease`] where there is nothing to be rounded, and
 /// those of [`fair`](crate::fair) for the bands.
 pub fn round(
     positions: &[[f64; 3]],
@@ -178,11 +178,11 @@ fn cut_out<'l>(
 const MOST_POINTS: f64 = 1e6;
 
 /// # Errors
-/// [`Error::EmptyRegion`] if no crease is rounded, [`Error::BadOption`] for a width that would take vertices without number.
+/// [`Error::NoCrease`] if none is rounded, [`Error::BadOption`] for a width that would take vertices without number.
 fn check_size(surface: &Surface<'_>, graph: &CreaseGraph, options: &RoundOptions) -> Result<(), Error> {
     let chosen = || graph.chains.iter().filter(|chain| chain.is_chosen);
     if chosen().next().is_none() {
-        return Err(Error::EmptyRegion);
+        return Err(Error::NoCrease);
     }
     let (name, width) = match options.radius > 0.0 {
         true => ("radius", options.radius),

@@ -93,6 +93,8 @@ pub enum fairmesh_status {
     Cancelled = 42,
     /// Two vertices are named as an edge between two triangles, and are none.
     NotAnEdge = 43,
+    /// No edge bends enough to be rounded.
+    NoCrease = 44,
     /// A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     Internal = 99,
 }
@@ -476,6 +478,7 @@ impl fairmesh_status {
             41 => Self::NotOrientable,
             42 => Self::Cancelled,
             43 => Self::NotAnEdge,
+            44 => Self::NoCrease,
             99 => Self::Internal,
             _ => Self::Internal,
         }

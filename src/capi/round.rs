@@ -19,7 +19,7 @@ use fairmesh::{RoundOptions, Rounded, blend_vertices, round_with_progress};
 /// those of the blends.
 ///
 /// `round` needs a width or a radius. `options` may be NULL; its normals, curvature, target, `sharp` and marked edges are not looked at. `result` gets a
-/// handle, with one report, 0, of the fairing of all blends. Free it. EMPTY_REGION where there is nothing to be rounded.
+/// handle, with one report, 0, of the fairing of all blends. Free it. NO_CREASE where there is nothing to be rounded.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_round(
     mesh: *const fairmesh_mesh,

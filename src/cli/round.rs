@@ -178,7 +178,7 @@ fn options(args: &RoundArgs, mesh: &MeshFile, output_precision: OutputPrecision)
 /// The library's refusal; that there is nothing to be done, by what was asked.
 fn refusal(args: &RoundArgs, mesh: &MeshFile, error: &fairmesh::Error) -> Failure {
     match error {
-        fairmesh::Error::EmptyRegion => Failure::new(format!(
+        fairmesh::Error::NoCrease => Failure::new(format!(
             "{}: no such edge bends enough to be rounded; --angle says from how many degrees on",
             args.input.display()
         )),

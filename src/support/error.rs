@@ -187,6 +187,9 @@ pub enum Error {
         /// The other one.
         b: usize,
     },
+    /// No crease of the mesh is to be rounded.
+    #[error("no edge bends enough to be rounded")]
+    NoCrease,
     /// An edit of a solver cannot be made.
     #[error("edit {edit}{}: {why}", vertex.map_or(String::new(), |v| format!(", vertex {v}")))]
     BadEdit {
@@ -300,6 +303,7 @@ table!(Error {
         "a component has one side only, as a Moebius strip", "cut it open, or leave it out";
     43 "not_an_edge" Error::NotAnEdge { .. } =>
         "two vertices are named as an edge between two triangles, and are none", "name neighbouring vertices";
+    44 "no_crease" Error::NoCrease => "no edge bends enough to be rounded", "say from which angle on edges are creases, or name them";
 });
 
 impl Error {
@@ -359,6 +363,7 @@ impl Error {
             | Self::BadOption { .. }
             | Self::BadGuide { .. }
             | Self::NotAnEdge { .. }
+            | Self::NoCrease
             | Self::GuidesCross { .. }
             | Self::BadChain { .. }
             | Self::NoBump { .. }

@@ -244,7 +244,7 @@ fn widths_that_cannot_be_are_refused() {
         creases: Creases::Concave,
         ..asked(0.2, 0.0)
     };
-    assert_eq!(round(&cube.0, &cube.1, &concave).unwrap_err(), Error::EmptyRegion);
+    assert_eq!(round(&cube.0, &cube.1, &concave).unwrap_err(), Error::NoCrease);
 }
 
 /// Two edges of a cube are rounded; the third one at their corner arrives there, and ends: that is told, by its vertex.

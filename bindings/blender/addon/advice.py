@@ -46,6 +46,7 @@ _WORDS = {
         ),
         Status.NO_FAIR_PATCH: (None, "Run {fairmesh_fair}, or use {fairmesh_erase_and_fill} with {on_failure.BEST}"),
         Status.NO_BUMP: (None, "Select the bump"),
+        Status.NO_CREASE: (None, "Select sharp edges"),
         Status.BAD_EDIT: (None, "Begin {fairmesh_live} again"),
     },
     Outcome: {

@@ -54,7 +54,7 @@ def test_threads_change_no_bit():
 def test_what_is_refused():
     for given, status in (
         ({}, "BAD_OPTION"),
-        ({"width": WIDTH, "creases": "concave"}, "EMPTY_REGION"),
+        ({"width": WIDTH, "creases": "concave"}, "NO_CREASE"),
         ({"width": WIDTH, "edges": [[0, len(VERTICES) - 1]]}, "NOT_AN_EDGE"),
     ):
         with pytest.raises(fairmesh.FairmeshError) as refused:

@@ -88,6 +88,7 @@ const INPUT: ReadonlySet<Status> = new Set<Status>([
     "guides_cross",
     "bad_chain",
     "not_an_edge",
+    "no_crease",
     "no_bump",
     "bad_edit",
     "not_orientable",

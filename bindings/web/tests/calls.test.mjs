@@ -258,7 +258,7 @@ test("one edge is rounded by a ball, and which options there are", () => {
     assert.equal(made.creases.filter(({ isRounded }) => isRounded).length, 1);
     assert.ok(made.isSuccess && !made.report.intersectionsChecked);
     assert.throws(() => library.roundEdges(box, { radius: 0.2, edges: [[0, 12]] }), { status: "not_an_edge" });
-    assert.throws(() => library.roundEdges(box, { width: 0.2, creases: "concave" }), { status: "empty_region" });
+    assert.throws(() => library.roundEdges(box, { width: 0.2, creases: "concave" }), { status: "no_crease" });
     assert.throws(() => library.roundEdges(box, { width: 0.2, creases: "round" }), { message: 'creases: "round" is none of "all", "convex", "concave"' });
     assert.throws(() => library.roundEdges(box, { widht: 0.2 }), { message: 'unknown option "widht"; did you mean "width"?' });
     assert.throws(() => library.roundEdges(box, { width: 0.2, continuity: 1 }), { name: "TypeError" });

@@ -81,7 +81,7 @@ def round_edges(mesh: _arrays.Mesh, **keywords: Unpack[RoundKeywords]) -> Rounde
         `Rounded`: the mesh in the types given, what became of its edges, and where vertices and faces come from.
 
     Raises:
-        FairmeshError: With `Status.EMPTY_REGION` where there is nothing to be rounded, with `Status.NOT_AN_EDGE` for
+        FairmeshError: With `Status.NO_CREASE` where there is nothing to be rounded, with `Status.NOT_AN_EDGE` for
             one of ``edges`` that is none. And the others of `fair`.
 
     """

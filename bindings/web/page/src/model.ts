@@ -314,9 +314,7 @@ export class Model {
         const edges = region.includes(1) ? sharpEdges(region, surface) : null;
         if (edges?.length === 0) throw new Error("no edge of the region is sharp: choose the triangles on both sides of one");
         const asked = { width: width * surface.diagonal, ...(edges === null ? {} : { edges }) };
-        const made = await this.#worker.roundEdges(this.mesh, { ...asked, ...watched }).catch((why: unknown) => {
-            throw (why as { status?: string }).status === "empty_region" ? new Error("no edge is sharp") : why;
-        });
+        const made = await this.#worker.roundEdges(this.mesh, { ...asked, ...watched });
         if (!made.creases.some(({ isRounded }) => isRounded)) return saysOfBlends(made);
         this.#replace(made, { kind: "round", region: runsOf(region), width });
         return saysOfBlends(made);

@@ -58,6 +58,7 @@ export const REMEDIES: Record<string, string> = {
     no_fair_patch: "take “Remesh” and “Fair the region”; or choose another region",
     no_bump: "paint the bump",
     not_orientable: "cut it open in the program that it comes from, or “Unpaint” it",
+    no_crease: "choose the triangles on both sides of an edge, which is rounded then",
     bad_edit: "take “Back to the fair surface”",
     internal: "save what you have, and load the page anew",
 };
