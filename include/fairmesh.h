@@ -2130,7 +2130,7 @@ typedef struct fairmesh_round_options {
      */
     struct fairmesh_indices edges;
     /**
-     * Labels of all triangles, one for each, as the numbers of their materials: borders between labels stay where they are, inside flat faces, too. Default: none, all have the same.
+     * Labels of all triangles, one for each, as the numbers of their materials: lines between labels stay where they are, inside flat faces, too. Default: none, all have the same.
      */
     struct fairmesh_indices labels;
 } fairmesh_round_options;

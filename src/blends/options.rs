@@ -40,7 +40,7 @@ options! {
         creases: Creases = Creases::default(), choice "fairmesh_creases";
         /// Edges that are rounded, and no others: pairs of vertices; they are creases however little they bend. Default: none, all creases are.
         edges: Vec<[u32; 2]> = Vec::new(), indices 2;
-        /// Labels of all triangles, one for each, as the numbers of their materials: borders between labels stay where they are, inside flat faces, too. Default: none, all have the same.
+        /// Labels of all triangles, one for each, as the numbers of their materials: lines between labels stay where they are, inside flat faces, too. Default: none, all have the same.
         labels: Vec<u32> = Vec::new(), indices 1;
         /// How the blends are faired.
         fairing: Options = Options::default(), elsewhere;

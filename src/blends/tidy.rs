@@ -96,23 +96,23 @@ fn corners(cut: &Cut<'_>, h: u32) -> [Vector3<f64>; 4] {
 }
 
 /// Whether an edge between faces that stay has another label on its other side.
-fn is_border(cut: &Cut<'_>, h: u32) -> bool {
+fn is_between_labels(cut: &Cut<'_>, h: u32) -> bool {
     let [t, o] = [h, cut.sheet.across(h)].map(|g| g / 3);
     cut.sheet.across(h) != NONE && stays(cut, t) && stays(cut, o) && cut.label(t) != cut.label(o)
 }
 
-/// Whether borders of labels stay where they are if the origin of `h` moves to its target: no border is there, or it goes straight on.
-fn keeps_borders(cut: &Cut<'_>, h: u32) -> bool {
+/// Whether lines between labels stay where they are if the origin of `h` moves to its target: none is there, or it goes straight on.
+fn keeps_labels(cut: &Cut<'_>, h: u32) -> bool {
     let sheet = &cut.sheet;
-    let (mut borders, mut is_at_rail) = (Vec::new(), false);
+    let (mut ends, mut is_at_rail) = (Vec::new(), false);
     sheet.fan(h, |g| {
         is_at_rail |= !stays(cut, g / 3);
-        if is_border(cut, g) {
-            borders.push(sheet.target(g));
+        if is_between_labels(cut, g) {
+            ends.push(sheet.target(g));
         }
     });
     let (at, to) = (sheet.x[sheet.origin(h) as usize], sheet.target(h));
-    match borders[..] {
+    match ends[..] {
         [] => true,
         [a, b] if !is_at_rail && (a == to || b == to) => {
             let [a, b] = [a, b].map(|v| sheet.x[v as usize] - at);
@@ -184,7 +184,7 @@ fn can_turn(cut: &Cut<'_>, h: u32, most: f64) -> bool {
     if o == NONE
         || stays(cut, h / 3) != stays(cut, o / 3)
         || cut.face(h / 3) != cut.face(o / 3)
-        || is_border(cut, h)
+        || is_between_labels(cut, h)
     {
         return false;
     }
@@ -201,7 +201,7 @@ fn can_turn(cut: &Cut<'_>, h: u32, most: f64) -> bool {
 /// How far the faces that stay would move if the origin of `h` moved to its target; infinity: that cannot be.
 fn moves(cut: &Cut<'_>, h: u32, least: f64) -> f64 {
     let sheet = &cut.sheet;
-    if !sheet.can_collapse(h) || !keeps_borders(cut, h) {
+    if !sheet.can_collapse(h) || !keeps_labels(cut, h) {
         return f64::INFINITY;
     }
     let (a, b) = (sheet.origin(h), sheet.target(h));

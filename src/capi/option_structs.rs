@@ -282,7 +282,7 @@ pub struct fairmesh_round_options {
     pub angle: f64,
     /// Edges that are rounded, and no others: pairs of vertices; they are creases however little they bend. Default: none, all creases are. Two indices side by side.
     pub edges: fairmesh_indices,
-    /// Labels of all triangles, one for each, as the numbers of their materials: borders between labels stay where they are, inside flat faces, too. Default: none, all have the same.
+    /// Labels of all triangles, one for each, as the numbers of their materials: lines between labels stay where they are, inside flat faces, too. Default: none, all have the same.
     pub labels: fairmesh_indices,
 }
 

@@ -1,7 +1,7 @@
 //! `fairmesh round` on files.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::common::{corners, directory, expect, numbers_of};
 use serde_json::Value;
@@ -204,7 +204,7 @@ fn new_faces_are_marked_by_a_property() {
 }
 
 #[test]
-fn the_border_of_two_materials_inside_a_flat_face_stays_where_it_is() {
+fn two_materials_inside_a_flat_face_meet_where_they_did() {
     let directory = directory("round-materials");
     // A cube from -1 to 1 whose upper face is two, divided where x is 0.
     let mut text = String::new();
@@ -254,28 +254,33 @@ fn the_border_of_two_materials_inside_a_flat_face_stays_where_it_is() {
     assert_eq!(reach, [0.0; 2]);
 }
 
-#[test]
-fn creases_are_chosen_by_places_and_regions_and_too_little_room_is_refused_on_wish() {
-    let directory = directory("round-chosen");
-    let words = |v: [i32; 3]| v.map(|c| c.to_string()).join(" ");
+/// A cube without attributes, as in.obj.
+fn plain_cube(name: &str) -> PathBuf {
+    let directory = directory(name);
     let mut text = String::new();
-    CORNERS.iter().for_each(|&v| text += &format!("v {}\n", words(v)));
+    for [x, y, z] in CORNERS {
+        text += &format!("v {x} {y} {z}\n");
+    }
     for [a, b, c, d] in SIDES.map(|of| of.map(|v| v + 1)) {
         text += &format!("f {a} {b} {c} {d}\n");
     }
     fs::write(directory.join("in.obj"), text).unwrap();
-    let rounded = |more: &[&str], code: i32| {
-        let first = ["round", "in.obj", "-o", "out.obj", "--json", "r.json"];
-        expect(&directory, &[&first[..], more].concat(), code).1
-    };
+    directory
+}
+
+/// What is said of a rounding of it on stderr.
+fn told_of_rounding(directory: &Path, more: &[&str], code: i32) -> String {
+    let first = ["round", "in.obj", "-o", "out.obj", "--json", "r.json"];
+    expect(directory, &[&first[..], more].concat(), code).1
+}
+
+#[test]
+fn creases_are_chosen_by_places_and_regions() {
+    let directory = plain_cube("round-chosen");
     let ends = |more: &[&str]| -> Vec<Vec<i64>> {
-        rounded(more, 0);
+        told_of_rounding(&directory, &[&["--width", "0.2"], more].concat(), 0);
         let told = report(&directory);
-        let done = told["chains"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .filter(|chain| chain["rounded"] == true);
+        let done = told["chains"].as_array().unwrap().iter();
         let numbers = |of: &Value| {
             of.as_array()
                 .unwrap()
@@ -283,35 +288,28 @@ fn creases_are_chosen_by_places_and_regions_and_too_little_room_is_refused_on_wi
                 .map(|v| v.as_i64().unwrap())
                 .collect()
         };
+        let done = done.filter(|chain| chain["rounded"] == true);
         let mut all: Vec<Vec<i64>> = done.map(|chain| numbers(&chain["vertices"])).collect();
         all.iter_mut().for_each(|ends| ends.sort_unstable());
         all
     };
-    let middle = |a: usize, b: usize| {
-        let place = [0, 1, 2].map(|k| 0.5 * f64::from(CORNERS[a][k] + CORNERS[b][k]));
-        place.map(|c| c.to_string()).join(",")
-    };
-    assert_eq!(ends(&["--width", "0.2", "--near", &middle(0, 1)]), [[0, 1]]);
-    let places = [middle(0, 1), middle(6, 7)];
-    let both = places.each_ref().map(|place| ["--near", place.as_str()]).concat();
-    assert_eq!(ends(&[&["--width", "0.2"][..], &both].concat()), [[0, 1], [6, 7]]);
+    assert_eq!(ends(&["--near", "0,-1,-1"]), [[0, 1]]);
+    assert_eq!(ends(&["--near", "0,-1,-1", "--near", "0,1,1"]), [[0, 1], [6, 7]]);
     // Everything; and a side alone, which has no edge inside.
-    assert_eq!(ends(&["--width", "0.2", "--component-at", "0"]).len(), 12);
-    let [a, b, c, d] = SIDES[0].map(|v| CORNERS[v].map(f64::from));
-    let centre = [0, 1, 2].map(|k| 0.25 * (a[k] + b[k] + c[k] + d[k]));
-    let plane = [centre, centre]
-        .concat()
-        .iter()
-        .map(f64::to_string)
-        .collect::<Vec<String>>()
-        .join(",");
-    let told = rounded(&["--width", "0.2", "--halfspace", &plane], 2);
+    assert_eq!(ends(&["--component-at", "0"]).len(), 12);
+    let side = ["--width", "0.2", "--halfspace", "0,0,-1,0,0,-1"];
+    let told = told_of_rounding(&directory, &side, 2);
     assert!(
         told.contains("no edge that bends enough lies between two of these faces"),
         "{told}"
     );
-    rounded(&["--width", "0.2", "--fit"], 0);
-    let told = rounded(&["--width", "3", "--fit"], 2);
+}
+
+#[test]
+fn too_little_room_is_refused_on_wish() {
+    let directory = plain_cube("round-fit");
+    told_of_rounding(&directory, &["--width", "0.2", "--fit"], 0);
+    let told = told_of_rounding(&directory, &["--width", "3", "--fit"], 2);
     assert!(
         told.contains("12 creases have less room than that") && told.contains("--fit refuses that"),
         "{told}"

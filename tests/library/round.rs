@@ -199,7 +199,7 @@ fn reaches_over(labels: Vec<u32>) -> f64 {
 }
 
 #[test]
-fn borders_between_labels_stay_where_they_are() {
+fn lines_between_labels_stay_where_they_are() {
     let (positions, triangles) = divided_cube(2);
     let label = |t: &[u32; 3]| u32::from(t.iter().any(|&v| positions[v as usize][0] < 0.0));
     assert_eq!(reaches_over(triangles.iter().map(label).collect()), 0.0);

@@ -89,7 +89,7 @@ class MESH_OT_fairmesh_round_edges(Background, RoundOptions, bpy.types.Operator)
 
 
 def _labels(mesh):
-    """Of the triangles: a face of more than three corners keeps its border; a triangle does beside another material."""
+    """Of the triangles: a face of more than three corners keeps its boundary; a triangle does beside another material."""
     is_triangle = np.diff(mesh.corner_starts) == 3
     labels = np.where(is_triangle, mesh.materials, mesh.materials.max(initial=0) + 1 + np.arange(len(is_triangle)))
     return labels[mesh.face_of]
