@@ -215,6 +215,7 @@ void add_round_parameters(RichParameterList &list) {
     list.addParam(RichFloat("radius", 0, "Radius", "Of a ball that touches both sides where the blend begins. 0: the width says it."));
     list.addParam(RichEnum("creases", static_cast<int>(Rounded::All), {"All", "That stand out", "In folds", "Selected edges"},
                            "Sharp edges", "Which are rounded. Selected ones: as by 'Select Crease Edges'."));
+    list.addParam(RichFloat("continuity", 0, "Match curvature", "0: tangent to the faces beside. 1: as curved as they are."));
     list.addParam(RichFloat("angle", 0, "Sharp from (degrees)", "Edges that bend by more are sharp. 0: by the gap between bends."));
     add_advanced<RichBool>(list, "check_intersections", true, "Check for self-intersections",
                            "Blends that intersect anything are not made. Off: this is not looked for.");
@@ -281,6 +282,7 @@ RoundParameters read_round_parameters(const RichParameterList &list) {
     asked.how.radius = not_negative(list, "radius");
     if ((asked.how.width > 0) == (asked.how.radius > 0)) throw Failure("Give a width or a radius.");
     asked.how.angle = not_negative(list, "angle");
+    asked.options.continuity = list.getFloat("continuity");
     asked.which = static_cast<Rounded>(in_list(list, "creases", 4));
     if (asked.which == Rounded::Convex) asked.how.creases = FAIRMESH_CREASES_CONVEX;
     if (asked.which == Rounded::Concave) asked.how.creases = FAIRMESH_CREASES_CONCAVE;

@@ -54,6 +54,7 @@ PARAMETERS = {
         "width": ("RichFloat", 0),
         "radius": ("RichFloat", 0),
         "creases": ("RichEnum", 0, 4),
+        "continuity": ("RichFloat", 0),
         "angle": ("RichFloat", 0),
     },
     CURVATURE: {},

@@ -16,7 +16,8 @@ use super::stopped::tell;
 use super::surface::Surface;
 use super::telling::Telling;
 use crate::fairing::{
-    BoundaryNormals, Coincident, GivenCrease, Options, Outcome, Report, Selection, Solution, fair_along,
+    BoundaryCurvature, BoundaryNormals, Coincident, GivenCrease, Options, Outcome, Report, Selection,
+    Solution, fair_along,
 };
 use crate::holes::{Lengths, Parents, RemeshOptions, compose, remesh_to_lengths};
 use crate::mesh::NONE;
@@ -38,6 +39,8 @@ pub(super) struct Bands {
     free: Vec<u32>,
     /// Normals along the rails.
     normals: Vec<(u32, [f64; 3])>,
+    /// And the mean curvature of the faces there, if it is to go on.
+    curvature: Vec<(u32, f64)>,
     /// Edges of creases that are not rounded, where they arrive at rails.
     creases: Vec<[u32; 2]>,
     /// The edges with which blends end at faces across from them.
@@ -50,7 +53,12 @@ pub(super) struct Bands {
 }
 
 impl Bands {
-    pub(super) fn new(cut: &Cut<'_>, normals: &FaceNormals<'_>, arcs: Vec<GivenCrease>) -> Self {
+    pub(super) fn new(
+        cut: &Cut<'_>,
+        normals: &FaceNormals<'_>,
+        arcs: Vec<GivenCrease>,
+        asks_continuity: bool,
+    ) -> Self {
         let sheet = &cut.sheet;
         let count = sheet.x.len();
         let is_free = |v: &u32| cut.value[*v as usize] < 0.0;
@@ -62,6 +70,7 @@ impl Bands {
         of_band().for_each(|v| is_in_band[v as usize] = true);
         let rails = Rails::new(cut, &band);
         let normal = |v: u32| Some((v, rails.normal(v, cut, normals)?.into()));
+        let curvature = |v: u32| Some((v, rails.curvature(v, cut, normals)?));
         let all = 0..count as u32;
         let sharp = |&(vertex, place): &(u32, Vector3<f64>)| SharpCorner {
             vertex,
@@ -82,6 +91,11 @@ impl Bands {
                 .filter(|v| is_in_band[*v as usize] && is_free(v))
                 .collect(),
             normals: all.clone().filter_map(normal).collect(),
+            curvature: all
+                .clone()
+                .filter(|_| asks_continuity)
+                .filter_map(curvature)
+                .collect(),
             creases,
             arcs,
             lengths: all.map(|v| cut.wanted(v).unwrap_or(0.0)).collect(),
@@ -204,6 +218,7 @@ impl Bands {
             lengths: order.iter().map(|&v| self.lengths[v]).collect(),
             triangles: self.triangles.iter().map(|t| t.map(new)).collect(),
             normals: self.normals.iter().map(|&(v, n)| (new(v), n)).collect(),
+            curvature: self.curvature.iter().map(|&(v, h)| (new(v), h)).collect(),
             creases: self.creases.iter().map(|edge| edge.map(new)).collect(),
             arcs: self
                 .arcs
@@ -218,6 +233,7 @@ impl Bands {
     fn solve(&self, options: &Options, telling: &mut Telling<'_, '_>) -> Result<Solution, Error> {
         let fairing = Options {
             boundary_normals: BoundaryNormals::Given(self.normals.clone()),
+            boundary_curvature: BoundaryCurvature::Given(self.curvature.clone()),
             coincident: Coincident::Separate,
             marked_edges: self.creases.clone(),
             ..options.clone()
@@ -333,6 +349,11 @@ impl PartedBands {
                 .normals
                 .iter()
                 .filter_map(|&(v, n)| Some((moved(v)?, n)))
+                .collect(),
+            curvature: bands
+                .curvature
+                .iter()
+                .filter_map(|&(v, h)| Some((moved(v)?, h)))
                 .collect(),
             creases: bands
                 .creases

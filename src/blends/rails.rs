@@ -50,6 +50,17 @@ impl Rails {
         }
     }
 
+    /// The mean curvature of the faces there; none where there is no normal.
+    pub(super) fn curvature(&self, v: u32, cut: &Cut<'_>, normals: &FaceNormals<'_>) -> Option<f64> {
+        self.normal(v, cut, normals)?;
+        let [face, other] = self.0[v as usize];
+        let of = |face: u32| normals.curvature(&cut.sheet.parents[v as usize], face);
+        match other {
+            NONE => Some(of(face)),
+            _ => Some(0.5 * (of(face) + of(other))),
+        }
+    }
+
     /// Whether a crease that is not rounded arrives at a rail there.
     fn is_crossed(&self, v: u32, cut: &Cut<'_>) -> bool {
         let ends = |e: &Entry| e.distance - e.excess <= END * cut.level.sides[e.side as usize].widest;

@@ -139,7 +139,12 @@ fn rounded(
             surface: &surface,
             graph: &graph,
         };
-        let bands = Bands::new(&cut, &normals, arcs(&cut, &through, &normals));
+        let bands = Bands::new(
+            &cut,
+            &normals,
+            arcs(&cut, &through, &normals),
+            options.fairing.asks_continuity(),
+        );
         let rounded = bands.fair(positions, &surface.centre, &options.fairing, &mut telling)?;
         if given_up == GIVEN_UP || !give_up(&mut graph, &surface, &level, &rounded) {
             return Ok(rounded);

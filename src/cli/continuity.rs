@@ -71,7 +71,7 @@ impl ContinuityArgs {
 }
 
 /// Reads `--continuity`.
-fn how_far(text: &str) -> Result<f64, String> {
+pub fn how_far(text: &str) -> Result<f64, String> {
     match text {
         "g1" => Ok(0.0),
         "g2" => Ok(1.0),

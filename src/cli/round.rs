@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 use crate::answer::Answer;
 use crate::chosen_creases::CreaseArgs;
 use crate::comparison::{MeshSide, PictureArgs, story};
+use crate::continuity;
 use crate::explain;
 use crate::failure::Failure;
 use crate::figures::significant;
@@ -64,6 +65,16 @@ pub struct RoundArgs {
     fit: bool,
     #[command(flatten)]
     chosen: CreaseArgs,
+    /// How smoothly blends continue the faces beside them: 'g1' (tangent planes), 'g2'
+    /// (mean curvature, too), or a number from 0 (g1) to 1 (g2)
+    #[arg(
+        long,
+        value_name = "HOW-FAR",
+        default_value = "g1",
+        value_parser = continuity::how_far,
+        verbatim_doc_comment
+    )]
+    continuity: f64,
     /// Stop when the vertices move less than this part of a blend's diagonal, between
     /// 0 and 1 [default: 1e-8]
     #[arg(long, value_name = "X", verbatim_doc_comment)]
@@ -146,7 +157,10 @@ pub fn run(args: &RoundArgs) -> Result<bool, Failure> {
     };
     answer.tell(&[&args.output], json, || {
         let told = led.told.iter().map(|line| format!("{line}\n"));
-        orientation::turned(turned) + &readable(&rounded) + &told.collect::<String>()
+        orientation::turned(turned)
+            + &readable(&rounded)
+            + &continued(args, &rounded)
+            + &told.collect::<String>()
     })?;
     Ok(is_good)
 }
@@ -164,6 +178,7 @@ fn options(args: &RoundArgs, mesh: &MeshFile, output_precision: OutputPrecision)
         },
         labels: mesh.labels(),
         fairing: Options {
+            continuity: args.continuity,
             tolerance: args.tolerance.unwrap_or(defaults.tolerance),
             output_precision,
             threads: args.threads,
@@ -204,6 +219,15 @@ fn fits(args: &RoundArgs, rounded: &Rounded) -> Result<(), Failure> {
         significant(100.0 * least.part),
         places(&all)
     )))
+}
+
+/// How far the curvature of the faces goes on in the blends, if that was asked for.
+fn continued(args: &RoundArgs, rounded: &Rounded) -> String {
+    let lines = match args.continuity > 0.0 {
+        true => continuity::lines(&rounded.report.components),
+        false => Vec::new(),
+    };
+    lines.iter().map(|line| format!("continuity: {line}\n")).collect()
 }
 
 fn readable(rounded: &Rounded) -> String {

@@ -15,7 +15,7 @@ use std::path::Path;
 use mesh::{Mesh, off_cylinder, off_sphere};
 
 /// Every guide, with the test that runs it.
-const GUIDES: [(&str, fn()); 11] = [
+const GUIDES: [(&str, fn()); 12] = [
     ("a-folder-of-scans", a_folder_of_scans),
     ("blender-headless", long::blender_headless),
     ("c-program", long::c_program),
@@ -26,6 +26,7 @@ const GUIDES: [(&str, fn()); 11] = [
     ("meshlab-script", long::meshlab_script),
     ("python-textured-obj", long::python_textured_obj),
     ("remove-a-bump", remove_a_bump),
+    ("round-edges", round_edges),
     ("sharp-edges", sharp_edges),
 ];
 
@@ -104,6 +105,29 @@ fn sharp_edges() {
     }
     assert!(read("lump.ply").largest(off_rod) > 0.02);
     assert_picture(&folder.join("mended.png"), None);
+}
+
+#[test]
+fn round_edges() {
+    let folder = runner::run("round-edges");
+    let read = |name: &str| Mesh::read(&folder.join(name));
+    for name in ["rounded.obj", "folds.obj", "one.obj", "smooth.obj", "pin.ply"] {
+        assert!(read(name).holes().is_empty(), "{name}");
+    }
+    // The edge where x and y are 0 is a cylinder now, from face to face; others are where they were.
+    let from_axis = |p: [f64; 3]| {
+        let is_near = p[0] < 0.2 && p[1] < 0.2 && (0.01..0.99).contains(&p[2]);
+        if is_near {
+            ((p[0] - 0.2).hypot(p[1] - 0.2) - 0.2).abs()
+        } else {
+            0.0
+        }
+    };
+    assert!(read("one.obj").largest(from_axis) < 1e-3);
+    // The ends of the rod stay where they were.
+    let height = |name: &str| read(name).largest(|p| p[2].abs());
+    assert!((height("pin.ply") - height("rod.ply")).abs() < 1e-9);
+    assert_picture(&folder.join("bracket.png"), None);
 }
 
 #[test]

@@ -119,6 +119,26 @@ fn a_hexagonal_prism_and_a_cylinder_stay_closed_and_sound() {
     }
 }
 
+/// Between a plane and a curved side, too, whose facets tell its curvature by their normals.
+#[test]
+fn blends_are_as_curved_at_their_rails_as_the_faces_beside_them_if_asked() {
+    for (positions, triangles) in [cube(), prism(&polygon(64, 1.0), [-1.0, 1.0])] {
+        let mut options = RoundOptions {
+            width: 0.15,
+            ..RoundOptions::default()
+        };
+        options.fairing.continuity = 1.0;
+        let made = round(&positions, &triangles, &options).unwrap();
+        assert!(made.is_complete(), "{:?}", made.report.outcome);
+        let loops = made.report.components.iter().flat_map(|of| &of.continuity);
+        let loops: Vec<_> = loops.collect();
+        assert!(!loops.is_empty());
+        for of in loops {
+            assert!(of.reached > 0.95 && of.jump < 0.1 * of.jump_before, "{of:?}");
+        }
+    }
+}
+
 #[test]
 fn vertices_that_stay_come_first_and_new_ones_have_parents_near_them() {
     let given = cube();

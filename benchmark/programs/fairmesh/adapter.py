@@ -28,7 +28,7 @@ def run(task: Task) -> Answer:
         words = ["fair", task.path, "--free", list_file]
     elif task.kind == "bump":
         words = ["fair", task.path, "--bump", ",".join(map(repr, task.told["point"]))]
-    elif task.kind == "round" and not continues_curvature:
+    elif task.kind == "round":
         words = ["round", task.path, "--radius", task.told["radius"], *edges(task)]
     else:
         raise RefusedError("not one of its tasks")

@@ -54,7 +54,26 @@ class RegionOptions:
         return "No vertex can move", "select vertices inside the mesh. Its boundary and vertices of hidden faces stay"
 
 
-class FairingOptions:
+class CurvatureOption:
+    """How far surfaces go on as curved as what is around."""
+
+    continuity: FloatProperty(
+        name="Match Curvature",
+        description=(
+            "How far the surface goes on as curved as the faces around it. 0: it goes on smoothly. 1: its curvature does, "
+            "too, so that reflections show no edge. Where the faces around are too rough, less is reached"
+        ),
+        default=0.0,
+        min=0.0,
+        max=1.0,
+        subtype="FACTOR",
+    )
+
+    def draw_continuity(self, layout):
+        layout.prop(self, "continuity", slider=True)
+
+
+class FairingOptions(CurvatureOption):
     """Mixed into operators and settings. Every identifier in lower case is the library's name of the choice."""
 
     inner_fairness: selection(
@@ -69,17 +88,6 @@ class FairingOptions:
         "The directions in which the surface leaves the faces around it",
         ("FITTED", "Fitted", "Fitted to the curved surface around the region: the most accurate"),
         ("AVERAGED", "Averaged", "Average of the faces around the region: for noisy surroundings"),
-    )
-    continuity: FloatProperty(
-        name="Match Curvature",
-        description=(
-            "How far the surface goes on as curved as the faces around it. 0: it goes on smoothly. 1: its curvature does, "
-            "too, so that reflections show no edge. Where the faces around are too rough, less is reached"
-        ),
-        default=0.0,
-        min=0.0,
-        max=1.0,
-        subtype="FACTOR",
     )
     sharp: selection(
         "Sharp Edges",
@@ -148,7 +156,7 @@ class FairingOptions:
         """All options, the constant only where it counts."""
         choice(layout, self, "inner_fairness", "Distribution")
         choice(layout, self, "boundary_normals", "Tangents")
-        layout.prop(self, "continuity", slider=True)
+        self.draw_continuity(layout)
         choice(layout, self, "sharp", "Sharp Edges")
         if self.sharp == "ANGLE":
             layout.prop(self, "sharp_angle")

@@ -9,6 +9,7 @@ import bpy
 import numpy as np
 
 from . import blend, custom_normals, fairmesh, menus, messages, snapshot
+from .fairing_options import CurvatureOption
 from .job import Background, for_each
 from .round_options import RoundOptions
 
@@ -22,7 +23,7 @@ class _Chosen:
     result: object = None
 
 
-class MESH_OT_fairmesh_round_edges(Background, RoundOptions, bpy.types.Operator):
+class MESH_OT_fairmesh_round_edges(Background, RoundOptions, CurvatureOption, bpy.types.Operator):
     """Rounds the selected edges of each object in Edit mode."""
 
     bl_idname = "mesh.fairmesh_round_edges"
@@ -42,6 +43,7 @@ class MESH_OT_fairmesh_round_edges(Background, RoundOptions, bpy.types.Operator)
 
     def draw_options(self, layout):
         self.draw_round(layout)
+        self.draw_continuity(layout)
 
     def prepare(self, context):
         least = self.least_angle
@@ -55,7 +57,7 @@ class MESH_OT_fairmesh_round_edges(Background, RoundOptions, bpy.types.Operator)
             self.tell({"ERROR"}, f"Nothing to be rounded: {bend}; {self.asks}")
             return None
         # The thread reads no properties.
-        length_keyword = self.length_keyword()
+        length_keyword, continuity = self.length_keyword(), self.continuity
 
         def compute(each, monitor):
             seen, triangles = each.mesh.seen(), each.mesh.triangles
@@ -64,6 +66,7 @@ class MESH_OT_fairmesh_round_edges(Background, RoundOptions, bpy.types.Operator)
                 triangles,
                 edges=each.edges,
                 labels=_labels(each.mesh),
+                continuity=continuity,
                 cancel=monitor,
                 **length_keyword(each.mesh.size),
             )

@@ -9,6 +9,7 @@ from . import fairing_options, patch_options, round_options
 _OPTIONS = (
     fairing_options.RegionOptions,
     fairing_options.FairingOptions,
+    fairing_options.CurvatureOption,
     patch_options.PatchOptions,
     patch_options.RimOptions,
     patch_options.TrimOptions,

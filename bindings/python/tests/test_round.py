@@ -46,6 +46,13 @@ def test_one_edge_runs_through_to_the_faces_at_its_ends():
     assert np.abs(from_axis - WIDTH)[inside & ~at_ends].max() < 1e-4
 
 
+def test_curvature_goes_on_if_asked():
+    made = fairmesh.round_edges(VERTICES, FACES, width=0.15, continuity="g2")
+    loops = [loop for component in made.report.components for loop in component.continuity]
+    assert made.is_success and loops and min(loop.reached for loop in loops) > 0.95
+    assert max(loop.jump / loop.jump_before for loop in loops) < 0.1
+
+
 def test_threads_change_no_bit():
     one, two = (fairmesh.round_edges(VERTICES, FACES, width=WIDTH, threads=n, intersections="skip") for n in (1, 2))
     assert np.array_equal(one.vertices, two.vertices) and np.array_equal(one.faces, two.faces)

@@ -9,7 +9,7 @@ import { fairingIn, type FairingOptions, known, WATCHING, withDefaults, writeRow
 import { type Report, type ResultHandle, resultOf } from "./reports.js";
 
 /** What fairing options have to say about blends. */
-const OF_FAIRING = ["tolerance", "maxIterations", "threads", "intersections"] as const;
+const OF_FAIRING = ["continuity", "tolerance", "maxIterations", "threads", "intersections"] as const;
 const NAMES: readonly string[] = [...plainFields("roundOptions"), ...Object.keys(abi.rows.roundOptions), ...OF_FAIRING, ...WATCHING];
 
 /** Options of `roundEdges`. One of `width` and `radius` is needed. */

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, Union
 
-from ._forms import ArrayLike
+from ._forms import ArrayLike, HowFar
 from ._schema import (
     BRIDGE_DEFAULTS,
     FILLING_DEFAULTS,
@@ -129,6 +129,7 @@ class RefillKeywords(_Region, _Run, PatchOptions, total=False):
 class RoundKeywords(_Run, RoundOptions, total=False):
     """Those of `round_edges`."""
 
+    continuity: HowFar | None
     tolerance: float | None
     max_iterations: int | None
     threads: int | None

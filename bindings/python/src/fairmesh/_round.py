@@ -74,7 +74,7 @@ def round_edges(mesh: _arrays.Mesh, **keywords: Unpack[RoundKeywords]) -> Rounde
     Outside of the blends the surface stays where it is; faces that reach into one are cut.
 
     Args:
-        mesh, coincident, progress, cancel, tolerance, max_iterations, threads, intersections: As in `fair`.
+        mesh, coincident, progress, cancel, continuity, tolerance, max_iterations, threads, intersections: As in `fair`.
         **options: ``width`` or ``radius`` is needed: `RoundOptions`.
 
     Returns:
