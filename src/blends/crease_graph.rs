@@ -51,6 +51,9 @@ impl Chain {
 
 /// Triangles that are thinner than this, height over longest edge, tell nothing where coordinates are rounded to single precision.
 const THIN: f64 = 1e-4;
+/// Where a surface bends by so many degrees and more, its two sides lie on each other: no ball is between them, and edges of a blend would be without
+/// length. At 175 they are a twentieth of those at a right angle.
+const FOLDED: f64 = 175.0;
 /// Thin triangles beside each other that are looked behind.
 const STEPS: usize = 8;
 
@@ -96,8 +99,9 @@ impl CreaseGraph {
             connect(surface, &bends, least, &mut creased);
         }
         let is_crease = |h: u32| creased[h as usize];
-        let is_chosen =
+        let is_asked =
             |h: u32| options.creases.has(bends[h as usize]) && (options.edges.is_empty() || is_named(h));
+        let is_chosen = |h: u32| is_asked(h) && bends[h as usize].abs() < FOLDED;
         let mut sets = DisjointSets::new(normals.len());
         for h in 0..surface.half_edges() {
             if let Some(o) = surface.across(h)
@@ -108,7 +112,11 @@ impl CreaseGraph {
             }
         }
         let faces = sets.numbers(normals.len()).0;
-        let chains = chains(surface, &bends, is_crease, is_chosen);
+        let mut chains = chains(surface, &bends, is_crease, is_chosen);
+        for chain in chains.iter_mut().filter(|chain| !chain.is_chosen) {
+            let middle = chain.half_edges[chain.half_edges.len() / 2];
+            chain.unsolved = is_asked(middle).then(|| surface.x[surface.origin(middle) as usize]);
+        }
         Self {
             faces,
             chains,

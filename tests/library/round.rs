@@ -412,6 +412,28 @@ fn an_edge_that_does_not_bend_can_be_named_with_a_radius() {
     assert_below!(mesh.triangles.len(), 60_000);
 }
 
+/// The lids of the prism over a concave polygon, as a fan from a wrong corner: one of their triangles lies on others.
+#[test]
+fn an_edge_at_which_a_face_is_folded_over_stays_sharp_and_the_rest_ends_soon() {
+    let corners = [
+        [2.0, 0.5],
+        [0.5, 0.5],
+        [0.5, 2.0],
+        [0.0, 2.0],
+        [0.0, 0.0],
+        [2.0, 0.0],
+    ];
+    let (positions, triangles) = prism(&corners, [0.0, 1.0]);
+    let options = RoundOptions {
+        width: 0.1,
+        ..RoundOptions::default()
+    };
+    let made = round(&positions, &triangles, &options).unwrap();
+    let folded = made.chains.iter().filter(|of| of.bend.abs() > 179.0);
+    assert!(folded.clone().count() > 0 && { folded }.all(|of| !of.is_rounded && of.unsolved.is_some()));
+    assert!(!made.is_complete());
+}
+
 #[test]
 fn a_plate_much_thinner_than_the_width_takes_no_triangles_without_number() {
     let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
