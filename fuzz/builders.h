@@ -196,7 +196,20 @@ static inline double size_of_blend(double size) {
     return size > 0.0 && size < 0.05 ? 0.05 : size;
 }
 
-static inline void give_round(Bytes *bytes, fairmesh_round_options *round, uint32_t vertices) {
+/* One of a few labels for each triangle; at times one too many. */
+static inline fairmesh_indices labels_of(Bytes *bytes, size_t triangles) {
+    fairmesh_indices labels;
+    uint8_t what = next(bytes);
+    uint32_t *numbers = block(4 * (triangles + 1));
+    size_t k;
+    for (k = 0; k <= triangles; k++) numbers[k] = (uint32_t)(k / (1u + what % 8u) % 3u);
+    memset(&labels, 0, sizeof labels);
+    labels.data = numbers;
+    labels.count = triangles + (what >= 250);
+    return labels;
+}
+
+static inline void give_round(Bytes *bytes, fairmesh_round_options *round, uint32_t vertices, size_t triangles) {
     uint8_t what = next(bytes);
     round->width = 0.25;
     if (what & 1) round->struct_size = size_like(bytes, sizeof *round);
@@ -205,6 +218,7 @@ static inline void give_round(Bytes *bytes, fairmesh_round_options *round, uint3
     if (what & 8) round->angle = between(bytes, 0.0, 180.0);
     if (what & 16) round->creases = next(bytes) % 4u;
     if (what & 32) round->edges = list(bytes, vertices, 4, 2);
+    if (what & 64) round->labels = labels_of(bytes, triangles);
 }
 
 static inline void give_remesh(Bytes *bytes, fairmesh_remesh_options *remesh) {

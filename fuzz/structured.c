@@ -157,7 +157,7 @@ static void give_all(Bytes *bytes, Given *given) {
     give_options(bytes, &given->options, vertices);
     give_fill(bytes, &given->fill, vertices);
     give_bridge(bytes, &given->bridge);
-    give_round(bytes, &given->round, vertices);
+    give_round(bytes, &given->round, vertices, given->mesh.triangles.count);
     give_remesh(bytes, &given->remesh);
     give_points(bytes, given);
     give_limit(bytes, &given->limit);
