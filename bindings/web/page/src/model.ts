@@ -64,7 +64,7 @@ export class Model {
     /** Other triangles, positions or another region: what is seen is out of date. */
     changed: () => void = () => undefined;
     #snapshots: Snapshot[] = [];
-    /** Counts edits and finishes: an older one shows nothing any more. */
+    /** Counts edits and finishes: an older one goes no further. */
     #edition = 0;
     /** Whether the surface is following edits. */
     isFollowing = false;
@@ -371,11 +371,13 @@ export class Model {
         const { edits } = live;
         for (let count = 0, isSettled = false; !isSettled && count < MOST_FRAMES; count++) {
             const frame = await live.solver.show(edits, FRAME, look);
-            if (frame === null || this.live !== live || mine !== this.#edition) return;
+            if (frame === null || this.live !== live) return;
+            // Where frames take longer than a hand, there always is a newer edit: what has come is shown all the same.
             this.surface.move(frame.positions);
             if (frame.meanCurvature !== null) this.surface.paint("curvature", frame.meanCurvature);
             this.frames++;
             this.changed();
+            if (mine !== this.#edition) return;
             isSettled = frame.isSettled;
         }
     }
