@@ -14,6 +14,9 @@ import numpy as np
 from . import custom_normals, fairmesh, patch, snapshot
 from .new_vertices import NewVertices, corner_layers
 
+# Crease and bevel weight have layers of their own before Blender 4.0.
+_EDGE_LAYERS = ("crease", "bevel_weight", "float", "int", "bool", "string", "float_vector", "float_color", "color")
+
 
 @dataclass
 class Change:
@@ -47,7 +50,7 @@ def change(mesh, rounded):
     return Change(
         erased=np.flatnonzero(~is_whole),
         triangles=triangles[new],
-        part_count=np.count_nonzero(~stays),
+        part_count=int(np.count_nonzero(~stays)),
         sources=np.concatenate([parts[~stays], carried.faces[len(positions) :]]),
         positions=positions,
         places=places,
@@ -99,6 +102,9 @@ class _Blend(NewVertices):
         self.seen = mesh.seen()
         self.examples = {int(face): edit_mesh.faces[face] for face in made.erased}
         self.layers = list(corner_layers(edit_mesh))
+        of_edges = edit_mesh.edges.layers
+        kinds = [getattr(of_edges, name) for name in _EDGE_LAYERS if hasattr(of_edges, name)]
+        self.edge_layers = [layer for kind in kinds for layer in kind.values()]
         # What faces that go have at their corners, by face and vertex.
         self.corners = {
             (face, corner.vert.index): [get(corner, layer) for layer, get, _, _ in self.layers]
@@ -183,8 +189,13 @@ class _Blend(NewVertices):
                 for other in (part_of[f] for f in edge.link_faces if part_of.get(f, own) > own):
                     for old in self.between.get((own, other), ()):
                         if old != edge:
-                            edge.copy_from(old)  # but for what edges have themselves
-                            edge.seam, edge.smooth = old.seam, old.smooth
+                            self._copy_edge(edge, old)
+
+    def _copy_edge(self, edge, old):
+        """Its marks. BMEdge.copy_from would copy what Python knows the edge by, too."""
+        edge.seam, edge.smooth = old.seam, old.smooth
+        for layer in self.edge_layers:
+            edge[layer] = old[layer]
 
     def _part_faces(self):
         return self.mesh.face_of[self.made.sources[: self.made.part_count]].tolist()

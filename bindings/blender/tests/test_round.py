@@ -102,7 +102,7 @@ def test_what_faces_have_goes_on():
     obj = cube(cuts=1)
     mesh = bmesh.from_edit_mesh(obj.data)
     colors = mesh.loops.layers.float_color.new("colors")
-    uvs = mesh.loops.layers.uv.verify()
+    uvs, weight = mesh.loops.layers.uv.verify(), mesh.edges.layers.float.new("weight")
     for material in "ab":
         obj.data.materials.append(bpy.data.materials.new(material))
     for face in mesh.faces:
@@ -115,6 +115,7 @@ def test_what_faces_have_goes_on():
     # It runs from one edge of the upper face to the other, through blends.
     seam = next(e for e in mesh.edges if all(v.co.z > 0.99 and v.co.x == 0 and v.co.y >= 0 for v in e.verts))
     seam.seam = True
+    seam[weight] = 0.5
     select_all()
     assert round_edges(length=WIDTH) == {"FINISHED"}
     mesh = bmesh.from_edit_mesh(obj.data)
@@ -130,6 +131,7 @@ def test_what_faces_have_goes_on():
             for corner in face.loops:
                 assert np.abs(np.array(corner[uvs].uv) - np.delete(corner.vert.co, side)).max() < 1e-5
     seams = [e for e in mesh.edges if e.seam]
+    assert all(e[mesh.edges.layers.float["weight"]] == 0.5 for e in seams)
     assert seams and all(abs(v.co.x) < 1e-6 and v.co.z > 0.99 for e in seams for v in e.verts)
     assert abs(sum(e.calc_length() for e in seams) - (1 - WIDTH)) < 0.02
 
