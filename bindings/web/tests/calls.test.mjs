@@ -262,7 +262,7 @@ test("one edge is rounded by a ball, and which options there are", () => {
     assert.throws(() => library.roundEdges(box, { width: 0.2, creases: "round" }), { message: 'creases: "round" is none of "all", "convex", "concave"' });
     assert.throws(() => library.roundEdges(box, { widht: 0.2 }), { message: 'unknown option "widht"; did you mean "width"?' });
     assert.throws(() => library.roundEdges(box, { width: 0.2, target: 1 }), { name: "TypeError" });
-    const smoother = library.roundEdges(box, { width: 0.2, continuity: "g2" });
+    const smoother = library.roundEdges(cube(2), { width: 0.3, continuity: "g2" });
     const loops = smoother.report.components.flatMap(({ continuity }) => continuity);
     assert.ok(smoother.isSuccess && loops.length > 0 && loops.every(({ reached }) => reached > 0.95));
     assert.throws(() => library.roundEdges(box, { width: 0.2, progress: () => false }), { status: "cancelled" });
