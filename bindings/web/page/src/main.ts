@@ -101,7 +101,7 @@ class Page {
         click("bridge", () => this.#join());
         click("round", () => this.#round());
         input("width").addEventListener("input", () => label("width", `${input("width").value} %`));
-        input("width").addEventListener("change", () => this.#model.steps.at(-1)?.kind === "round" && this.#round());
+        input("width").addEventListener("change", () => this.#model.canRoundAgain && this.#round());
         label("width", `${input("width").value} %`);
         click("up", () => this.#turnUp(this.#viewer.up === "y" ? "z" : "y"));
         click("fit", () => this.#viewer.fit(this.#model.surface));
@@ -255,7 +255,7 @@ class Page {
 
     /** Where sharp edges have been rounded last, by another width in place of that. */
     #round(): Promise<boolean> {
-        return work("Rounded", (watched) => this.#model.roundAgain(watched, Number(input("width").value) / 100));
+        return work("Rounded", (watched) => this.#model.round(watched, Number(input("width").value) / 100));
     }
 
     async #join(): Promise<void> {

@@ -64,6 +64,8 @@ export class Model {
     /** Other triangles, positions or another region: what is seen is out of date. */
     changed: () => void = () => undefined;
     #snapshots: Snapshot[] = [];
+    /** The snapshot that the last rounding began with. */
+    #beforeRounding: Snapshot | null = null;
     /** Counts edits and finishes: an older one goes no further. */
     #edition = 0;
     /** Whether the surface is following edits. */
@@ -308,22 +310,28 @@ export class Model {
         return `remeshed, from ${from} to ${to} triangles of like size. Fair it next`;
     }
 
-    /** Puts blends in place of the sharp edges in the region, or of all where none is chosen; `width`: how far they reach, in parts of the diagonal. */
-    async round(watched: Watched, width: number): Promise<string> {
-        const { region, surface } = this;
-        const edges = region.includes(1) ? sharpEdges(region, surface) : null;
-        if (edges?.length === 0) throw new Error("no edge of the region is sharp: choose the triangles on both sides of one");
-        const asked = { width: width * surface.diagonal, ...(edges === null ? {} : { edges }) };
-        const made = await this.#worker.roundEdges(this.mesh, { ...asked, ...watched });
-        if (!made.creases.some(({ isRounded }) => isRounded)) return saysOfBlends(made);
-        this.#replace(made, { kind: "round", region: runsOf(region), width });
-        return saysOfBlends(made);
+    /** Whether nothing has been done or chosen since edges were rounded: another width takes the place of that. */
+    get canRoundAgain(): boolean {
+        return this.#beforeRounding !== null && this.#snapshots.at(-1) === this.#beforeRounding;
     }
 
-    /** The same with another width, in place of the last rounding. */
-    async roundAgain(watched: Watched, width: number): Promise<string> {
-        if (this.steps.at(-1)?.kind === "round") await this.undo();
-        return this.round(watched, width);
+    /** Puts blends in place of the sharp edges in the region, or of all where none is chosen; `width`: how far they reach, in parts of the diagonal. */
+    async round(watched: Watched, width: number): Promise<string> {
+        const isAgain = this.canRoundAgain;
+        const { region, ...mesh } = isAgain ? this.#beforeRounding! : { ...this.mesh, region: this.region };
+        const surface = new Surface(mesh);
+        const edges = region.includes(1) ? sharpEdges(region, surface) : null;
+        const { diagonal } = surface;
+        surface.free();
+        if (edges?.length === 0) throw new Error("no edge of the region is sharp: choose the triangles on both sides of one");
+        const asked = { width: width * diagonal, ...(edges === null ? {} : { edges }) };
+        const made = await this.#worker.roundEdges({ positions: mesh.positions, triangles: mesh.triangles }, { ...asked, ...watched });
+        if (!made.creases.some(({ isRounded }) => isRounded)) return saysOfBlends(made);
+        // Not before: where it fails or is stopped, what was there stays.
+        if (isAgain) await this.undo();
+        this.#replace(made, { kind: "round", region: runsOf(region), width });
+        this.#beforeRounding = this.#snapshots.at(-1)!;
+        return saysOfBlends(made);
     }
 
     /** Other triangles, of which the last ones are new: no region, so that what is painted next is one by itself. The list of parts has the patches. */

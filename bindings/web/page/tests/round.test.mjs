@@ -68,6 +68,29 @@ test("a chosen region has only its own edges rounded, and a link tells of it", a
     await page.close();
 });
 
+test("another region is rounded besides, not in place of the one before", async () => {
+    const { page } = await opened(browser);
+    await take(page, "bracket");
+    /** The two sides on planes of these axes, where the coordinate is -1 or that given. */
+    const choose = (first, second) => page.evaluate((planes) => {
+        const [points, corners] = [fairmesh.positions(), fairmesh.triangles()];
+        const on = (t, [axis, at]) => [0, 1, 2].every((k) => points[3 * corners[3 * t + k] + axis] === at);
+        fairmesh.choose(Uint8Array.from({ length: corners.length / 3 }, (_, t) => (planes.some((plane) => on(t, plane)) ? 1 : 0)));
+    }, [first, second]);
+    await choose([0, -1], [1, -1]);
+    assert.equal(await press(page, "round"), "Rounded: 1 edge rounded.");
+    const radius = 0.03 * DIAGONAL;
+    assert.ok(aroundEdge(await positions(page), radius).length > 5);
+    await choose([0, 1], [1, -0.5]);
+    assert.equal(await press(page, "round"), "Rounded: 1 edge rounded.");
+    const points = await positions(page);
+    assert.ok(aroundEdge(points, radius).length > 5, "the first one is still round");
+    assert.ok(!points.some((x, k) => k % 3 === 0 && x === 1 && points[k + 1] === -0.5 && Math.abs(points[k + 2]) < 0.4), "the second one is, too");
+    await press(page, "undo");
+    assert.ok(aroundEdge(await positions(page), radius).length > 5);
+    await page.close();
+});
+
 test("where nothing is sharp, that is told, and nothing changes", async () => {
     const { page } = await opened(browser);
     await upload(page, file("sphere.stl", openSphere()));
