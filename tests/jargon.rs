@@ -182,6 +182,7 @@ fn names_labels_and_tooltips_of_meshlab() {
         "close_holes.cpp",
         "erase_and_fill.cpp",
         "bridge_boundaries.cpp",
+        "round_edges.cpp",
     ];
     let shown = parameters.iter().flat_map(|name| literals(&read(name), "//"));
     // Dialogs of MeshLab 2020.09 show two lines of a tooltip, of some 42 letters.
@@ -198,7 +199,7 @@ fn names_labels_and_tooltips_of_meshlab() {
 fn helps_of_meshlab_begin_with_what_the_filter_is_for() {
     let texts = literals(&read(&root().join("meshlab_plugin/src/texts.cpp")), "//");
     let helps: Vec<&String> = texts.iter().filter(|text| text.starts_with("<b>")).collect();
-    assert_eq!(helps.len(), 5);
+    assert_eq!(helps.len(), 6);
     for help in helps {
         let (first, _) = help["<b>".len()..].split_once("</b>").unwrap();
         assert!(first.ends_with('.') && first.len() < 100, "{first}");

@@ -51,9 +51,11 @@ impl Chain {
 
 /// Triangles that are thinner than this, height over longest edge, tell nothing where coordinates are rounded to single precision.
 const THIN: f64 = 1e-4;
-/// Where a surface bends by so many degrees and more, its two sides lie on each other: no ball is between them, and edges of a blend would be without
-/// length. At 175 they are a twentieth of those at a right angle.
-const FOLDED: f64 = 175.0;
+/// Where a surface bends by so many degrees and more, its sides lie almost on each other: the ball between them vanishes, and so do the edges of a blend.
+/// Edges of a prism alone: of 14 degrees between its sides and less none gets a sound blend, after 15 to 59 s with up to 210,000 triangles; of 15 and 20 they
+/// do. Half as much between the sides (173): these are tried, and 54 of 59 solids cut from each other are sound in place of 55. Double (152): edges of 15 to 28
+/// degrees stay sharp that need not.
+const FOLDED: f64 = 166.0;
 /// Thin triangles beside each other that are looked behind.
 const STEPS: usize = 8;
 

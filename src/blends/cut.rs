@@ -71,6 +71,11 @@ impl<'a> Cut<'a> {
         self.faces[self.sheet.source[t as usize] as usize]
     }
 
+    /// Whether triangles have labels of their own.
+    pub(super) fn has_labels(&self) -> bool {
+        !self.labels.is_empty()
+    }
+
     /// The label of a triangle.
     pub(super) fn label(&self, t: u32) -> u32 {
         let source = self.sheet.source[t as usize] as usize;

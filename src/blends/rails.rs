@@ -38,10 +38,7 @@ impl Rails {
 
     /// The normal at a vertex. None where a crease arrives that is not rounded: there are two of them there; where a band ends, the mean holds.
     pub(super) fn normal(&self, v: u32, cut: &Cut<'_>, normals: &FaceNormals<'_>) -> Option<Vector3<f64>> {
-        let [face, other] = self.0[v as usize];
-        if face == NONE || self.is_crossed(v, cut) {
-            return None;
-        }
+        let [face, other] = self.faces(v, cut)?;
         let of = |face: u32| normals.between(&cut.sheet.parents[v as usize], face);
         let first = of(face)?;
         match other {
@@ -50,10 +47,15 @@ impl Rails {
         }
     }
 
+    /// The faces across a rail, if one normal is theirs; the second one is [`NONE`] but where a band ends.
+    fn faces(&self, v: u32, cut: &Cut<'_>) -> Option<[u32; 2]> {
+        let faces = self.0[v as usize];
+        (faces[0] != NONE && !self.is_crossed(v, cut)).then_some(faces)
+    }
+
     /// The mean curvature of the faces there; none where there is no normal.
     pub(super) fn curvature(&self, v: u32, cut: &Cut<'_>, normals: &FaceNormals<'_>) -> Option<f64> {
-        self.normal(v, cut, normals)?;
-        let [face, other] = self.0[v as usize];
+        let [face, other] = self.faces(v, cut)?;
         let of = |face: u32| normals.curvature(&cut.sheet.parents[v as usize], face);
         match other {
             NONE => Some(of(face)),

@@ -103,6 +103,9 @@ fn is_between_labels(cut: &Cut<'_>, h: u32) -> bool {
 
 /// Whether lines between labels stay where they are if the origin of `h` moves to its target: none is there, or it goes straight on.
 fn keeps_labels(cut: &Cut<'_>, h: u32) -> bool {
+    if !cut.has_labels() {
+        return true;
+    }
     let sheet = &cut.sheet;
     let (mut ends, mut is_at_rail) = (Vec::new(), false);
     sheet.fan(h, |g| {

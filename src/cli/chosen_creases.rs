@@ -9,6 +9,7 @@ use fairmesh::{CreaseChain, RoundOptions, find_creases};
 use crate::explain;
 use crate::failure::Failure;
 use crate::formats::MeshFile;
+use crate::normals::{dot, sub};
 use crate::region::RegionSteps;
 use crate::sharp_edges::{MarkedChain, marked_chain};
 
@@ -119,9 +120,7 @@ fn places(positions: &[[f64; 3]]) -> Vec<u32> {
 fn distance(positions: &[[f64; 3]], chain: &CreaseChain, place: &[f64; 3]) -> f64 {
     let of_edge = |[a, b]: [u32; 2]| {
         let [a, b] = [a, b].map(|v| positions[v as usize]);
-        let minus = |p: &[f64; 3], q: &[f64; 3]| [0, 1, 2].map(|k| p[k] - q[k]);
-        let dot = |p: [f64; 3], q: [f64; 3]| p.iter().zip(q).map(|(x, y)| x * y).sum::<f64>();
-        let (along, away) = (minus(&b, &a), minus(place, &a));
+        let (along, away) = (sub(b, a), sub(*place, a));
         let part = (dot(away, along) / dot(along, along)).clamp(0.0, 1.0);
         let rest = [0, 1, 2].map(|k| away[k] - part * along[k]);
         dot(rest, rest)

@@ -194,7 +194,7 @@ fn options(args: &RoundArgs, mesh: &MeshFile, output_precision: OutputPrecision)
 fn refusal(args: &RoundArgs, mesh: &MeshFile, error: &fairmesh::Error) -> Failure {
     match error {
         fairmesh::Error::NoCrease => Failure::new(format!(
-            "{}: no such edge bends enough to be rounded; --angle says from how many degrees on",
+            "{}: no such edge bends enough to be rounded, or its sides lie almost on each other; --angle says from how many degrees on",
             args.input.display()
         )),
         _ => explain::refusal(&args.input, mesh, error),
