@@ -1,161 +1,132 @@
-//! Where a blend runs through to the face across, its edge with that face: from one of the other two creases to the other, in place of their corner.
+//! Where a blend runs through to the face across, its edge with that face: from one of the other two creases to the other, in place of their corner. At the
+//! boundary of the surface it is the boundary's.
+//!
+//! A ball that rolls between two planes leaves a circular cylinder, and another plane that cuts all three does so along two lines and an ellipse
+//! between, the affine image of a circle. With tangents of equal length a circle that turns by t is, from a corner c to points p and q,
+//! c + a (p - c) + b (q - c), with a = (sin((t - s) / 2) / sin(t / 2))^2 and b = (sin(s / 2) / sin(t / 2))^2, where it has turned by s; and so are its images. Where
+//! these edges are curved, their points before and behind the corner stand for those of lines.
 
-use std::collections::{BTreeMap, BTreeSet};
+use nalgebra::Vector3;
 
 use super::cut::Cut;
 use super::face_normals::FaceNormals;
+use super::legs::{Leg, Sense, outgoing};
 use super::surface::between;
 use super::through::Through;
-use crate::fairing::{CreaseEnd, GivenCrease};
-use crate::mesh::NONE;
-use crate::mesh::halfedge::{self, previous};
+use crate::fairing::{CreaseEnd, CreasePoint, GivenCrease};
 
-/// What is left of the two creases inside the band is divided into edges as short as those of the band: they are to be the arc's.
-pub(super) fn divide(cut: &mut Cut<'_>, through: &[Through]) {
-    loop {
-        let outgoing = outgoing(cut, through);
-        let ways = through
-            .iter()
-            .flat_map(|of| [Sense::Away, Sense::Towards].map(|sense| (of, sense)));
-        let steps: Vec<u32> = ways
-            .flat_map(|(of, sense)| steps(cut, of, sense, &outgoing))
-            .collect();
-        let ends = |cut: &Cut<'_>, h: u32| [cut.sheet.origin(h), cut.sheet.target(h)];
-        let is_long = |h: &u32| {
-            let wanted = ends(cut, *h).map(|v| cut.wanted(v).unwrap_or(f64::INFINITY));
-            cut.sheet.squared_length(*h).sqrt() > wanted[0].min(wanted[1])
-        };
-        let long: Vec<(u32, [u32; 2])> = steps
-            .into_iter()
-            .filter(is_long)
-            .map(|h| (h, ends(cut, h)))
-            .collect();
-        if long.is_empty() {
-            return;
-        }
-        for (h, known) in long {
-            // Another one at the same corner may have taken its number.
-            if ends(cut, h) == known {
-                cut.halve(h);
-            }
-        }
-    }
-}
+/// Faces that bend by less (radians) have a line between rails.
+const FLAT: f64 = 1e-6;
 
-/// The arcs of these ends; none where a corner was not cut as it should be.
+/// From rail to rail: vertices and where they are to lie. The blend is on the left, and the face across on the right.
+pub(super) type Arc = Vec<(u32, CreasePoint)>;
+
+/// The arcs on faces across from these ends, as creases; none where a corner was not cut as it should be.
 pub(super) fn arcs(cut: &Cut<'_>, through: &[Through], normals: &FaceNormals<'_>) -> Vec<GivenCrease> {
     let outgoing = outgoing(cut, through);
-    through
-        .iter()
-        .filter_map(|of| arc(cut, of, &outgoing, normals))
-        .collect()
-}
-
-/// A half-edge from each of the corners.
-fn outgoing(cut: &Cut<'_>, through: &[Through]) -> BTreeMap<u32, u32> {
-    let sheet = &cut.sheet;
-    let all = (0..3 * sheet.triangles.len() as u32).filter(|h| sheet.is_there(h / 3));
-    match through.is_empty() {
-        true => BTreeMap::new(),
-        false => {
-            let corners: BTreeSet<u32> = through.iter().map(|of| of.vertex).collect();
-            all.map(|h| (sheet.origin(h), h))
-                .filter(|(v, _)| corners.contains(v))
-                .collect()
-        }
-    }
-}
-
-/// Whether the face across is on the left of the way from the corner, or on the right.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Sense {
-    Away,
-    Towards,
-}
-
-impl Sense {
-    /// The vertices of a half-edge of that face, on the way from the corner.
-    fn ends(self, cut: &Cut<'_>, h: u32) -> [u32; 2] {
-        let [a, b] = [cut.sheet.origin(h), cut.sheet.target(h)];
-        match self {
-            Self::Away => [a, b],
-            Self::Towards => [b, a],
-        }
-    }
-}
-
-fn arc(
-    cut: &Cut<'_>,
-    of: &Through,
-    outgoing: &BTreeMap<u32, u32>,
-    normals: &FaceNormals<'_>,
-) -> Option<GivenCrease> {
-    let way = |sense: Sense| {
-        let steps = steps(cut, of, sense, outgoing);
-        let end = end(cut, of.face, &steps, sense, normals)?;
-        let ends = steps.iter().map(|&h| sense.ends(cut, h)[1]);
-        let mut inside: Vec<u32> = ends.collect();
-        // The last vertex is outside.
-        inside.pop();
-        Some((end, inside))
-    };
-    let ((first, before), (last, behind)) = (way(Sense::Away)?, way(Sense::Towards)?);
-    let corner = std::iter::once(of.vertex);
-    let vertices: Vec<u32> = before.into_iter().rev().chain(corner).chain(behind).collect();
-    let at = |v: u32| cut.sheet.x[v as usize];
-    let mut along = vec![0.0];
-    for step in vertices.windows(2) {
-        along.push(along[along.len() - 1] + (at(step[1]) - at(step[0])).norm());
-    }
-    let length = along[along.len() - 1];
-    Some(GivenCrease {
-        ends: [first, last],
-        vertices,
-        parts: along.into_iter().map(|s| s / length).collect(),
-    })
-}
-
-/// The half-edges of the face across from the corner along a crease to the rail, and one more.
-fn steps(cut: &Cut<'_>, of: &Through, sense: Sense, outgoing: &BTreeMap<u32, u32>) -> Vec<u32> {
-    let mut steps = Vec::new();
-    let mut next = outgoing
-        .get(&of.vertex)
-        .and_then(|&g| step(cut, g, of.face, sense));
-    while let Some(h) = next
-        && steps.len() < cut.sheet.x.len()
-    {
-        steps.push(h);
-        let [from, _] = sense.ends(cut, h);
-        let on = match sense {
-            Sense::Away => halfedge::next(h),
-            Sense::Towards => h,
+    let crease = |of: &Through| {
+        let legs = [Sense::Away, Sense::Towards].map(|sense| Leg::new(cut, of, sense, &outgoing));
+        let [Some(first), Some(last)] = legs else {
+            return None;
         };
-        next = step(cut, on, of.face, sense).filter(|_| cut.value[from as usize] < 0.0);
-    }
-    steps
+        let (vertices, points) = arc(cut, [&first, &last], normals)?.into_iter().unzip();
+        Some(GivenCrease {
+            ends: [
+                end(cut, &first, Sense::Away, normals)?,
+                end(cut, &last, Sense::Towards, normals)?,
+            ],
+            vertices,
+            points,
+        })
+    };
+    let all = through.iter().filter(|of| of.face.is_some());
+    all.filter_map(crease).collect()
 }
 
-/// How the crease arrives at the rail, along whose last step but one it comes in.
-fn end(
-    cut: &Cut<'_>,
-    face: u32,
-    steps: &[u32],
-    sense: Sense,
-    normals: &FaceNormals<'_>,
-) -> Option<CreaseEnd> {
-    let [inside, h] = *steps.last_chunk()?;
+/// The arc from the rail of one leg to that of the other.
+pub(super) fn arc(cut: &Cut<'_>, legs: [&Leg; 2], normals: &FaceNormals<'_>) -> Option<Arc> {
+    let normal = |leg: &Leg, face: u32| normals.between(&cut.sheet.parents[leg.rail() as usize], face);
+    let mut turns = Vec::new();
+    for side in [0, 1] {
+        turns.push(Turn::new(
+            normal(legs[0], legs[0].faces[side])?,
+            normal(legs[1], legs[1].faces[side])?,
+        ));
+    }
+    let corner = legs[0].vertices[0].1;
+    let length = legs[0].length() + legs[1].length();
+    let point = |(v, along): (u32, f64)| {
+        let [done, left] = [along / length, 1.0 - along / length];
+        let [a, b] = [left, done].map(|part| turns[0].part(part));
+        let ([p, towards_p], [q, towards_q]) = (legs[0].at(a[0]), legs[1].at(b[0]));
+        let tangent = towards_q * b[1] - towards_p * a[1];
+        let [blend, across] = [0, 1].map(|side| {
+            let normal = turns[side].normal(done);
+            normal - tangent * (normal.dot(&tangent) / tangent.norm_squared())
+        });
+        let point = CreasePoint {
+            place: corner + p + q,
+            normals: [blend.try_normalize(0.0)?, across.try_normalize(0.0)?],
+        };
+        Some((v, point))
+    };
+    let first = legs[0]
+        .vertices
+        .iter()
+        .rev()
+        .map(|of| (of.0, legs[0].length() - of.2));
+    let last = legs[1]
+        .vertices
+        .iter()
+        .skip(1)
+        .map(|of| (of.0, legs[0].length() + of.2));
+    first.chain(last).map(point).collect()
+}
+
+/// From one normal to another one.
+struct Turn {
+    normals: [Vector3<f64>; 2],
+    angle: f64,
+}
+
+impl Turn {
+    fn new(from: Vector3<f64>, to: Vector3<f64>) -> Self {
+        Self {
+            normals: [from, to],
+            angle: between(&from, &to).max(FLAT),
+        }
+    }
+
+    /// The factor `a` where so much of the turn is left, or `b` where it is done, and how fast it changes with the angle.
+    fn part(&self, part: f64) -> [f64; 2] {
+        let whole = libm::sin(0.5 * self.angle);
+        let angle = part * self.angle;
+        [
+            (libm::sin(0.5 * angle) / whole).powi(2),
+            0.5 * libm::sin(angle) / whole.powi(2),
+        ]
+    }
+
+    /// The normal where so much of it is done, of any length.
+    fn normal(&self, done: f64) -> Vector3<f64> {
+        let at = |part: f64| libm::sin(part * self.angle);
+        self.normals[0] * at(1.0 - done) + self.normals[1] * at(done)
+    }
+}
+
+/// How the crease arrives at the rail, along whose last step it comes in.
+fn end(cut: &Cut<'_>, leg: &Leg, sense: Sense, normals: &FaceNormals<'_>) -> Option<CreaseEnd> {
+    let [inside, h] = *leg.steps.last_chunk()?;
     let [v, outside] = sense.ends(cut, h);
     let at = |v: u32| cut.sheet.x[v as usize];
     let direction = (at(sense.ends(cut, inside)[0]) - at(v)).try_normalize(0.0)?;
-    let other = cut.face(cut.sheet.across(h) / 3);
-    let of = |face: u32| normals.between(&cut.sheet.parents[v as usize], face);
+    let of = |side: usize| normals.between(&cut.sheet.parents[v as usize], leg.faces[side]);
     // On the left of the way from the corner is right of the way to it.
     let [left, right] = match sense {
-        Sense::Away => [of(other)?, of(face)?],
-        Sense::Towards => [of(face)?, of(other)?],
+        Sense::Away => [of(0)?, of(1)?],
+        Sense::Towards => [of(1)?, of(0)?],
     };
-    let is_on_rail = cut.value[v as usize] == 0.0;
-    is_on_rail.then(|| CreaseEnd {
+    Some(CreaseEnd {
         vertex: v,
         direction: direction.into(),
         curvature: [0.0; 3],
@@ -165,20 +136,4 @@ fn end(
         error: 0.0,
         chains: vec![vec![v, outside]],
     })
-}
-
-/// The half-edge along a crease of the face that starts, or ends, where `g` starts.
-fn step(cut: &Cut<'_>, g: u32, face: u32, sense: Sense) -> Option<u32> {
-    let (sheet, mut found) = (&cut.sheet, None);
-    sheet.fan(g, |g| {
-        let h = match sense {
-            Sense::Away => g,
-            Sense::Towards => previous(g),
-        };
-        let o = sheet.across(h);
-        if cut.face(h / 3) == face && o != NONE && cut.face(o / 3) != face {
-            found = Some(h);
-        }
-    });
-    found
 }

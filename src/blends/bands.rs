@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use fairmesh_linear::interrupt::checkpoint;
 use nalgebra::Vector3;
 
+use super::arcs::Arc;
 use super::chords::divide_chords;
 use super::crease_graph::Chain;
 use super::cut::Cut;
@@ -45,6 +46,8 @@ pub(super) struct Bands {
     creases: Vec<[u32; 2]>,
     /// The edges with which blends end at faces across from them.
     arcs: Vec<GivenCrease>,
+    /// The vertices of the boundaries with which blends run out.
+    on_rims: Vec<u32>,
     /// Per vertex how long edges are to be there.
     lengths: Vec<f64>,
     angle: f64,
@@ -56,7 +59,7 @@ impl Bands {
     pub(super) fn new(
         cut: &Cut<'_>,
         normals: &FaceNormals<'_>,
-        arcs: Vec<GivenCrease>,
+        (arcs, rims): (Vec<GivenCrease>, &[Arc]),
         asks_continuity: bool,
     ) -> Self {
         let sheet = &cut.sheet;
@@ -79,18 +82,27 @@ impl Bands {
         let mut creases = rails.creases(cut, &faces);
         let is_of_arc = |v: &u32| arcs.iter().flat_map(|of| &of.ends).any(|end| end.vertex == *v);
         creases.retain(|edge| !edge.iter().any(is_of_arc));
+        let mut positions: Vec<[f64; 3]> = sheet.x.iter().map(|&p| p.into()).collect();
+        let mut at_rails: BTreeMap<u32, [f64; 3]> = all.clone().filter_map(normal).collect();
+        let mut is_on_rim = vec![false; count];
+        // Ends are on rails.
+        for (v, point) in rims.iter().flat_map(|rim| &rim[1..rim.len() - 1]) {
+            positions[*v as usize] = point.place.into();
+            at_rails.insert(*v, point.normals[0].into());
+            is_on_rim[*v as usize] = true;
+        }
         let is_given = |v: u32| (v as usize) < normals.surface.x.len() && !is_free(&v);
         Self {
-            positions: sheet.x.iter().map(|&p| p.into()).collect(),
+            positions,
             given: all.clone().map(|v| if is_given(v) { v } else { NONE }).collect(),
             parents: sheet.parents.clone(),
             triangles: faces.iter().chain(&band).map(|&t| sheet.triangles[t]).collect(),
             sources: faces.iter().map(|&t| sheet.source[t]).collect(),
             free: all
                 .clone()
-                .filter(|v| is_in_band[*v as usize] && is_free(v))
+                .filter(|v| is_in_band[*v as usize] && is_free(v) && !is_on_rim[*v as usize])
                 .collect(),
-            normals: all.clone().filter_map(normal).collect(),
+            normals: at_rails.into_iter().collect(),
             curvature: all
                 .clone()
                 .filter(|_| asks_continuity)
@@ -98,6 +110,7 @@ impl Bands {
                 .collect(),
             creases,
             arcs,
+            on_rims: all.clone().filter(|v| is_on_rim[*v as usize]).collect(),
             lengths: all.map(|v| cut.wanted(v).unwrap_or(0.0)).collect(),
             angle: normals.graph.least,
             chains: normals
@@ -225,6 +238,7 @@ impl Bands {
                 .iter()
                 .filter_map(|arc| renumbered(arc, &|v| Some(new(v))))
                 .collect(),
+            on_rims: self.on_rims.iter().map(|&v| new(v)).collect(),
             free,
             ..self
         }
@@ -248,7 +262,9 @@ impl Bands {
     }
 
     /// The result; vertices given that stay have their own bits.
-    fn assemble(self, given: &[[f64; 3]], centre: &Vector3<f64>, report: Report) -> Rounded {
+    fn assemble(mut self, given: &[[f64; 3]], centre: &Vector3<f64>, report: Report) -> Rounded {
+        self.free.append(&mut self.on_rims);
+        self.free.sort_unstable();
         let kept = self.given.iter().take_while(|v| **v != NONE).count();
         let place = |(v, p): (&u32, &[f64; 3])| match *v {
             NONE => (Vector3::from(*p) + centre).into(),
@@ -363,6 +379,7 @@ impl PartedBands {
             arcs: bands.arcs.iter().filter_map(arc).collect(),
             positions: mesh.positions,
             triangles: mesh.triangles.iter().map(|t| t.map(joined)).collect(),
+            on_rims: bands.on_rims.iter().filter_map(|&v| moved(v)).collect(),
             free: free.collect(),
             ..bands
         };

@@ -8,6 +8,8 @@ pub(super) struct ChainCurve {
     /// Between points along the chain.
     pub(super) spacing: f64,
     pub(super) is_closed: bool,
+    /// Whether the nearest place may lie straight before its first point, or behind its last one.
+    pub(super) goes_on: [bool; 2],
     /// Per point the edge of the chain that it was on.
     pub(super) edges: Vec<usize>,
     /// Per point how far the surface bends there, radians; at least [`FLATTEST`].
@@ -42,6 +44,7 @@ impl ChainCurve {
             points,
             spacing,
             is_closed,
+            goes_on: [false; 2],
         };
         curve.bends = curve.averaged(&curve.bends);
         let last = curve.points.len() - 1;
@@ -122,7 +125,7 @@ impl ChainCurve {
 
     /// The nearest place, from a place that is near on.
     pub(super) fn nearest(&self, p: &Vector3<f64>, near: f64) -> Nearest {
-        let start = libm::floor(near) as i64;
+        let start = self.segment(near);
         let mut best = Nearest {
             at: near,
             distance: f64::INFINITY,
@@ -140,7 +143,7 @@ impl ChainCurve {
                 }
             }
             seen = low..high + 1;
-            let found = libm::floor(best.at) as i64;
+            let found = self.segment(best.at);
             let is_inside = found > low && found < high;
             if is_inside || seen.clone().count() > 2 * self.points.len() {
                 break;
@@ -157,10 +160,30 @@ impl ChainCurve {
         best
     }
 
+    /// The number of the point before a place; places before the first point and behind the last one are on the segments there.
+    fn segment(&self, at: f64) -> i64 {
+        let before = libm::floor(at) as i64;
+        match self.is_closed {
+            true => before,
+            false => before.clamp(0, self.points.len() as i64 - 2),
+        }
+    }
+
     fn on_segment(&self, p: &Vector3<f64>, i: i64) -> Nearest {
         let (a, b) = (self.point(i), self.point(i + 1));
         let e = b - a;
-        let t = (e.dot(&(p - a)) / e.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+        let last = self.points.len() as i64 - 2;
+        let low = if i == 0 && self.goes_on[0] {
+            f64::NEG_INFINITY
+        } else {
+            0.0
+        };
+        let high = if i == last && self.goes_on[1] {
+            f64::INFINITY
+        } else {
+            1.0
+        };
+        let t = (e.dot(&(p - a)) / e.norm_squared().max(f64::MIN_POSITIVE)).clamp(low, high);
         Nearest {
             at: i as f64 + t,
             distance: (a + e * t - p).norm(),

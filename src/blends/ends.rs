@@ -1,4 +1,4 @@
-//! Where bands fade out: chains end there and no other one goes on, nor is there a face to run through to, or their corner stays sharp.
+//! Where bands fade out: chains end there and no other one goes on, nor is there a face or a boundary to run out to, or their corner stays sharp.
 
 use super::corners::next_crease;
 use super::crease_graph::{Chain, CreaseGraph};
@@ -15,7 +15,6 @@ pub(super) struct Ends<'a> {
     graph: &'a CreaseGraph,
     /// Per vertex how many chains that are rounded end there.
     meet: Vec<u32>,
-    is_boundary: Vec<bool>,
     /// Per half-edge.
     is_crease: Vec<bool>,
 }
@@ -26,7 +25,6 @@ impl<'a> Ends<'a> {
             surface,
             graph,
             meet: vec![0; surface.x.len()],
-            is_boundary: vec![false; surface.x.len()],
             is_crease: vec![false; surface.half_edges() as usize],
         };
         for chain in &graph.chains {
@@ -40,9 +38,6 @@ impl<'a> Ends<'a> {
                 let ends = chain.ends(surface);
                 ends.into_iter().for_each(|v| of.meet[v as usize] += 1);
             }
-        }
-        for h in (0..surface.half_edges()).filter(|&h| surface.across(h).is_none()) {
-            of.is_boundary[surface.origin(h) as usize] = true;
         }
         of
     }
@@ -59,8 +54,9 @@ impl<'a> Ends<'a> {
         let ends = chain.ends(surface);
         [0, 1].map(|k| {
             let v = ends[k] as usize;
-            let goes_on = self.meet[v] > 1 || through.iter().any(|of| of.vertex == ends[k]);
-            let fades = !goes_on || self.is_boundary[v] || self.graph.is_sharp(ends[k]);
+            let meets = self.meet[v] > 1 && self.surface.boundary_edges(ends[k]) == 0;
+            let goes_on = meets || through.iter().any(|of| of.vertex == ends[k]);
+            let fades = !goes_on || self.graph.is_sharp(ends[k]);
             (fades && !chain.is_closed).then(|| self.slope(ends[k], ways[k]))
         })
     }

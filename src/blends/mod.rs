@@ -2,6 +2,7 @@
 
 mod arcs;
 mod bands;
+mod boundaries;
 mod chain_curve;
 mod chords;
 mod corners;
@@ -11,10 +12,12 @@ mod cut;
 mod ends;
 mod face_normals;
 mod facets;
+mod legs;
 mod level;
 mod options;
 mod rails;
 mod resolution;
+mod rims;
 mod round;
 mod rounded;
 mod sheet;

@@ -3,15 +3,17 @@
 use fairmesh_linear::interrupt::unless_stopped;
 use nalgebra::Vector3;
 
-use super::arcs::{arcs, divide};
+use super::arcs::arcs;
 use super::bands::Bands;
 use super::chain_curve::{ChainCurve, PER_WIDTH};
 use super::corners::corners;
 use super::crease_graph::{Chain, CreaseGraph};
 use super::cut::Cut;
 use super::face_normals::FaceNormals;
+use super::legs::divide;
 use super::level::{Level, Side};
 use super::options::RoundOptions;
+use super::rims::{Unlaid, rims};
 use super::rounded::{CreaseChain, Rounded};
 use super::sheet::Sheet;
 use super::surface::Surface;
@@ -29,7 +31,7 @@ use crate::support::error::Error;
 
 /// Rounds the creases of a mesh: in place of each there is a blend, tangent to the faces beside it. Outside of the blends the surface stays
 /// where it is; triangles that reach into one are cut. Where one crease of a corner of three is rounded, and the other two are ridges or grooves both, its
-/// blend runs through to the face across, which then ends in an arc; elsewhere a blend fades out where its crease ends or no other one is rounded.
+/// blend runs through to the face across, which then ends in an arc; at the boundary of the mesh it runs out with its profile, and the boundary's corner becomes an arc. Elsewhere a blend fades out where its crease ends or no other one is rounded.
 ///
 /// ```
 /// use fairmesh::{RoundOptions, round};
@@ -139,10 +141,23 @@ fn rounded(
             surface: &surface,
             graph: &graph,
         };
+        let rims = match rims(&cut, &through, &normals) {
+            Ok(rims) => rims,
+            Err(Unlaid::End { vertex, place }) => {
+                graph.sharp_corners.push((vertex, place));
+                continue;
+            }
+            Err(Unlaid::Beside { chain, place }) => {
+                graph.chains[chain].is_chosen = false;
+                graph.chains[chain].unsolved = Some(place);
+                check_size(&surface, &graph, options)?;
+                continue;
+            }
+        };
         let bands = Bands::new(
             &cut,
             &normals,
-            arcs(&cut, &through, &normals),
+            (arcs(&cut, &through, &normals), &rims),
             options.fairing.asks_continuity(),
         );
         let rounded = bands.fair(positions, &surface.centre, &options.fairing, &mut telling)?;
@@ -245,7 +260,10 @@ fn level(surface: &Surface<'_>, graph: &CreaseGraph, through: &[Through], option
         let bends: Vec<f64> = chain.half_edges.iter().map(|&h| graph.bend(surface, h)).collect();
         ChainCurve::new(&vertices(chain, surface), &bends, chain.is_closed, base)
     };
-    let curves: Vec<ChainCurve> = graph.chains.iter().map(curve).collect();
+    let mut curves: Vec<ChainCurve> = graph.chains.iter().map(curve).collect();
+    for of in through {
+        curves[of.chain].goes_on[of.end] = true;
+    }
     let (corners, angles) = corners(surface, graph);
     let mut widths = Widths::asked(&curves, options);
     let least = widths.fit(surface, graph, &curves, (&angles, through));
@@ -260,7 +278,7 @@ fn level(surface: &Surface<'_>, graph: &CreaseGraph, through: &[Through], option
     for (number, chain) in graph.chains.iter().enumerate() {
         sides.extend(graph.beside(chain, surface).map(|face| side(face, number)));
     }
-    sides.extend(through.iter().map(|of| side(of.face, of.chain)));
+    sides.extend(through.iter().filter_map(|of| Some(side(of.face?, of.chain))));
     Level {
         curves,
         sides,
@@ -299,7 +317,8 @@ fn seed(cut: &mut Cut<'_>, surface: &Surface<'_>, graph: &CreaseGraph) {
 
 /// Tells the ends of chains that they are on the faces across from them.
 fn seed_across(cut: &mut Cut<'_>, surface: &Surface<'_>, graph: &CreaseGraph, through: &[Through]) {
-    for (side, of) in (2 * graph.chains.len() as u32..).zip(through) {
+    let across = through.iter().filter(|of| of.face.is_some());
+    for (side, of) in (2 * graph.chains.len() as u32..).zip(across) {
         let last = cut.level.curves[of.chain].points.len() - 1;
         let at = [0, last][of.end] as f64;
         let around = surface.links.outgoing.row(of.vertex as usize);

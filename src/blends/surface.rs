@@ -52,6 +52,12 @@ impl<'a> Surface<'a> {
         self.x[self.target(h) as usize] - self.x[self.origin(h) as usize]
     }
 
+    /// How many edges of the boundary start at a vertex: none inside, and one where the surface hangs together there.
+    pub(super) fn boundary_edges(&self, v: u32) -> usize {
+        let around = self.links.outgoing.row(v as usize).iter();
+        around.filter(|&&h| self.across(h).is_none()).count()
+    }
+
     /// The angle of a triangle where a half-edge starts.
     pub(super) fn angle(&self, h: u32) -> f64 {
         between(&self.edge(h), &-self.edge(previous(h)))

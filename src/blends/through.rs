@@ -1,18 +1,18 @@
 //! Where a crease that is rounded ends between two that are not: its blend runs through to the face across, as a milling cutter does. If one of these
-//! is a ridge and the other a groove, there is no such face: the blend would end in the air.
+//! is a ridge and the other a groove, there is no such face: the blend would end in the air. At the boundary of the surface it runs out likewise.
 
 use super::crease_graph::{Chain, CreaseGraph};
 use super::surface::Surface;
 
-/// An end of a chain that a face is across from.
+/// An end of a chain that a face is across from, or nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Through {
     pub(super) chain: usize,
     /// 0 at the chain's beginning, 1 at its end.
     pub(super) end: usize,
     pub(super) vertex: u32,
-    /// The face that both other creases bound, and this one does not.
-    pub(super) face: u32,
+    /// The face that both other creases bound, and this one does not; none at the boundary.
+    pub(super) face: Option<u32>,
 }
 
 /// All such ends, by their chains.
@@ -33,9 +33,14 @@ pub(super) fn through(surface: &Surface<'_>, graph: &CreaseGraph) -> Vec<Through
     let grooves = count(&|chain| !chain.is_chosen && chain.bend <= 0.0);
     let of = |(chain, end, vertex): (usize, usize, u32)| {
         let v = vertex as usize;
-        let is_one_of_three = chosen[v] == 1 && [[2, 0], [0, 2]].contains(&[ridges[v], grooves[v]]);
-        let runs_through = is_one_of_three && !graph.is_sharp(vertex);
-        let face = runs_through.then(|| across(surface, graph, chain, vertex))??;
+        if chosen[v] != 1 || graph.is_sharp(vertex) {
+            return None;
+        }
+        let face = match [ridges[v], grooves[v]] {
+            [2, 0] | [0, 2] => Some(across(surface, graph, chain, vertex)?),
+            [0, 0] if surface.boundary_edges(vertex) == 1 => None,
+            _ => return None,
+        };
         Some(Through {
             chain,
             end,

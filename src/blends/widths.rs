@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
 
+use super::boundaries::Boundaries;
 use super::chain_curve::ChainCurve;
 use super::crease_graph::CreaseGraph;
 use super::ends::{Ends, SHARE};
@@ -13,7 +14,7 @@ use super::options::RoundOptions;
 use super::surface::Surface;
 use super::through::Through;
 
-/// Where two bands meet in corners at both ends of a crease their rails take at most this part of it.
+/// Where two bands meet in corners at both ends of a crease their rails take at most this part of it, and a band this part of what is before a boundary.
 const ALONG: f64 = 0.85;
 /// Points of one curve are apart if it is so many times as far along the curve as through space: about as on a half circle.
 const APART: f64 = 1.4;
@@ -66,8 +67,13 @@ impl Widths {
             graph,
             curves,
             tree: &tree,
-            across: through.iter().map(|of| ((of.chain, of.end), of.face)).collect(),
+            across: through
+                .iter()
+                .filter_map(|of| Some(((of.chain, of.end), of.face?)))
+                .collect(),
         };
+        let widest = self.0.iter().flatten().copied().fold(0.0, f64::max);
+        let boundaries = Boundaries::new(surface, graph, widest);
         let mut least = vec![(1.0, Vector3::zeros()); curves.len()];
         for (c, chain) in graph
             .chains
@@ -83,7 +89,9 @@ impl Widths {
                 f64::INFINITY
             };
             for (i, width) in self.0[c].iter_mut().enumerate() {
-                let fits = longest.min(SHARE * room.at(c, i, *width / SHARE));
+                let fits = longest
+                    .min(SHARE * room.at(c, i, *width / SHARE))
+                    .min(ALONG * room.before(&boundaries, c, i, *width / ALONG));
                 let part = (fits / *width).clamp(LEAST, 1.0);
                 *width *= part;
                 if part < least[c].0 {
@@ -198,6 +206,17 @@ impl Room<'_> {
             }
         }
         nearest
+    }
+
+    /// The distance over either face beside it to the boundary, if it is less than `most`, but for where the chain ends.
+    fn before(&self, boundaries: &Boundaries, c: usize, i: usize, most: f64) -> f64 {
+        let faces = self.graph.beside(&self.graph.chains[c], self.surface);
+        let inward = self.inward(c, i);
+        let is_ahead = |h: u32, to: &Vector3<f64>| {
+            let face = self.graph.faces[h as usize / 3];
+            (0..2).any(|k| faces[k] == face && to.dot(&inward[k]) > AHEAD * to.norm())
+        };
+        boundaries.distance(c as u32, &self.curves[c].points[i], most, is_ahead)
     }
 
     /// Whether two chains end at the same vertex.

@@ -53,7 +53,9 @@ pub use report::{
 };
 use sharp::SharpEdges;
 pub use sharp::crease_ends;
-pub(crate) use sharp::{BoundaryCrease, Branch, GivenCrease, Knot, creases_around, may_be_creased};
+pub(crate) use sharp::{
+    BoundaryCrease, Branch, CreasePoint, GivenCrease, Knot, creases_around, may_be_creased,
+};
 pub use sharp_edge::{CreaseEnd, SharpEdge, SharpFate};
 pub use solver::Solver;
 use whole_solution::whole;

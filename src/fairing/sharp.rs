@@ -30,6 +30,7 @@ pub(crate) use given_crease::GivenCrease;
 use group::Group;
 use groups::grouped;
 use outside::Outside;
+pub(crate) use parting::CreasePoint;
 use parting::{Followed, PartedProblem};
 use path::{Membrane, Path};
 
@@ -61,9 +62,8 @@ impl SharpEdges {
         let mut told = Vec::new();
         let mut creases = Vec::new();
         for crease in laid {
-            let followed = crease.followed(positions);
-            told.push(crease.told(followed.is_some()));
-            creases.extend(followed);
+            told.push(crease.told());
+            creases.push(crease.followed());
         }
         let is_laid = |end: &CreaseEnd| {
             laid.iter()
@@ -141,7 +141,7 @@ fn follow(
             vertices: vertices(paths.as_deref().unwrap_or_default()),
         });
         let followed = group.branches.into_iter().zip(paths.into_iter().flatten());
-        creases.extend(followed.map(|(branch, path)| Followed { branch, path }));
+        creases.extend(followed.map(|(branch, path)| Followed::new(&branch, path)));
     }
 }
 

@@ -40,6 +40,7 @@ mod refill;
 mod regions;
 mod rim;
 mod round;
+mod round_ends;
 mod search;
 mod sharp;
 mod solver;

@@ -10,7 +10,7 @@ use std::ops::ControlFlow;
 use crate::fairing::vector;
 
 /// A right prism over a convex polygon, between two heights: closed, two triangles per side, and a fan at each end.
-fn prism(polygon: &[[f64; 2]], heights: [f64; 2]) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+pub(crate) fn prism(polygon: &[[f64; 2]], heights: [f64; 2]) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     let count = polygon.len() as u32;
     let level = |z: f64| polygon.iter().map(move |&[x, y]| [x, y, z]);
     let positions = level(heights[0]).chain(level(heights[1])).collect();

@@ -2,6 +2,8 @@
 
 use std::collections::{HashMap, HashSet};
 
+use nalgebra::Vector3;
+
 use super::branch::Branch;
 use super::path::Path;
 use crate::fairing::component_solution::ComponentSolution;
@@ -16,8 +18,31 @@ use crate::support::error::Error;
 
 /// A crease and the vertices that are to lie on it.
 pub(super) struct Followed {
-    pub(super) branch: Branch,
-    pub(super) path: Path,
+    /// From end to end.
+    pub(super) vertices: Vec<u32>,
+    /// Per vertex.
+    pub(super) points: Vec<CreasePoint>,
+}
+
+/// A point of a crease.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct CreasePoint {
+    pub(crate) place: Vector3<f64>,
+    /// Unit normals left and right.
+    pub(crate) normals: [Vector3<f64>; 2],
+}
+
+impl Followed {
+    pub(super) fn new(branch: &Branch, path: Path) -> Self {
+        let point = |&part: &f64| CreasePoint {
+            place: branch.at(part),
+            normals: branch.normals(part),
+        };
+        Self {
+            points: path.parts.iter().map(point).collect(),
+            vertices: path.vertices,
+        }
+    }
 }
 
 /// The mesh with copies of the vertices on creases.
@@ -40,7 +65,7 @@ impl PartedProblem {
         creases: &[Followed],
         (ends, near): (&[&CreaseEnd], Vec<(u32, [f64; 3])>),
     ) -> Self {
-        let inside = creases.iter().map(|crease| &crease.path.vertices);
+        let inside = creases.iter().map(|crease| &crease.vertices);
         let chains = ends.iter().flat_map(|end| &end.chains);
         let steps = inside.chain(chains).flat_map(|chain| chain.windows(2));
         let cut: Vec<[u32; 2]> = steps.map(|step| [step[0], step[1]]).collect();
@@ -116,10 +141,10 @@ impl PartedProblem {
 /// The free vertices of paths, on the creases.
 fn placed(creases: &[Followed], is_free: &[bool]) -> Vec<(u32, [f64; 3])> {
     let mut placed = Vec::new();
-    for Followed { branch, path } in creases {
-        for (&v, &part) in path.vertices.iter().zip(&path.parts) {
+    for crease in creases {
+        for (&v, point) in crease.vertices.iter().zip(&crease.points) {
             if is_free[v as usize] {
-                placed.push((v, branch.curve.at(part).at.into()));
+                placed.push((v, point.place.into()));
             }
         }
     }
@@ -132,7 +157,7 @@ fn placed(creases: &[Followed], is_free: &[bool]) -> Vec<(u32, [f64; 3])> {
 fn normals(whole: &[[u32; 3]], parted: &[[u32; 3]], creases: &[Followed]) -> Vec<(u32, [f64; 3])> {
     let mut steps = HashMap::new();
     for (crease, of) in creases.iter().enumerate() {
-        for (k, step) in of.path.vertices.windows(2).enumerate() {
+        for (k, step) in of.vertices.windows(2).enumerate() {
             steps.insert([step[0], step[1]], (crease, k, 0));
             steps.insert([step[1], step[0]], (crease, k, 1));
         }
@@ -144,8 +169,7 @@ fn normals(whole: &[[u32; 3]], parted: &[[u32; 3]], creases: &[Followed]) -> Vec
             let Some(&(crease, k, side)) = steps.get(&[tri[corner], tri[next]]) else {
                 continue;
             };
-            let Followed { branch, path } = &creases[crease];
-            let at = |k: usize| branch.normals(path.parts[k])[side].into();
+            let at = |k: usize| creases[crease].points[k].normals[side].into();
             // The triangle runs along the path on its left, against it on its right.
             let (first, second) = if side == 0 { (k, k + 1) } else { (k + 1, k) };
             normals.push((copies[corner], at(first)));

@@ -46,17 +46,6 @@ pub(super) struct Path {
     pub(super) parts: Vec<f64>,
 }
 
-impl Path {
-    /// Which nobody has to find.
-    pub(super) fn given(vertices: Vec<u32>, parts: Vec<f64>) -> Self {
-        Self {
-            vertices,
-            own: Vec::new(),
-            parts,
-        }
-    }
-}
-
 /// What it costs to come to each vertex from the first, and over which.
 struct Reach {
     cost: Vec<f64>,

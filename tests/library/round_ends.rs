@@ -1,0 +1,95 @@
+//! Where rounded creases end: faces across from them, and boundaries.
+
+use fairmesh::{Outcome, RoundOptions, Rounded, round};
+
+use crate::round::prism;
+
+const WIDTH: f64 = 0.2;
+
+/// A sheet in the planes x = 0 and z = 0, which reaches to the height `high` and as far as x = 1, folded along the y axis. One end is at y = 0, the other one at
+/// y = 2 + `lean` (x + z).
+fn folded_sheet(high: f64, lean: f64) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let profile = [[0.0, high], [0.0, 0.0], [1.0, 0.0]];
+    let row = |y: f64, lean: f64| profile.map(|[x, z]| [x, y + lean * (x + z), z]);
+    let positions = [row(0.0, 0.0), row(1.0, 0.0), row(2.0, lean)].concat();
+    let cell = |a: u32| [[a, a + 1, a + 4], [a, a + 4, a + 3]];
+    (positions, [0, 1, 3, 4].into_iter().flat_map(cell).collect())
+}
+
+fn rounded((positions, triangles): &(Vec<[f64; 3]>, Vec<[u32; 3]>), edges: Vec<[u32; 2]>) -> Rounded {
+    let options = RoundOptions {
+        width: WIDTH,
+        edges,
+        ..RoundOptions::default()
+    };
+    let mesh = round(positions, triangles, &options).unwrap();
+    assert_eq!(mesh.report.outcome, Outcome::Converged);
+    mesh
+}
+
+/// The largest distance of these vertices from the cylinder that touches x = 0 and z = 0.
+fn off_cylinder(mesh: &Rounded, vertices: &[u32]) -> f64 {
+    let places = vertices.iter().map(|&v| mesh.positions[v as usize]);
+    let off = places.map(|[x, _, z]| ((x - WIDTH).hypot(z - WIDTH) - WIDTH).abs());
+    off.fold(0.0, f64::max)
+}
+
+/// The vertices of a blend in the plane of the end that leans, or between both ends.
+fn of_blend(mesh: &Rounded, lean: f64) -> [Vec<u32>; 2] {
+    let height = |v: u32| {
+        let [x, y, z] = mesh.positions[v as usize];
+        y.min(2.0 + lean * (x + z) - y)
+    };
+    let all = || mesh.free.iter().copied();
+    [
+        all().filter(|&v| height(v).abs() < 1e-9).collect(),
+        all().filter(|&v| height(v) > 1e-9).collect(),
+    ]
+}
+
+#[test]
+fn at_a_boundary_a_blend_runs_out_with_its_profile() {
+    for lean in [0.0, 0.5, 1.2, -0.8] {
+        let mut sheet = folded_sheet(1.0, lean);
+        for _ in 0..2 {
+            let mesh = rounded(&sheet, Vec::new());
+            let [ends, between] = of_blend(&mesh, lean);
+            assert_at_least!(ends.len(), 10);
+            assert_below!(off_cylinder(&mesh, &ends), 1e-12);
+            assert_below!(off_cylinder(&mesh, &between), 1e-3 * WIDTH);
+            sheet.1.iter_mut().for_each(|t| t.swap(0, 1));
+        }
+    }
+}
+
+/// One flange is not as high as the blend is to be wide: there is a little left of it.
+#[test]
+fn a_blend_keeps_before_a_boundary_beside_its_crease() {
+    let mesh = rounded(&folded_sheet(0.15, 0.0), Vec::new());
+    let narrowed = mesh.chains[0].narrowed.as_ref().unwrap();
+    assert_below!(WIDTH * narrowed.part, 0.13);
+    let highest = mesh.free.iter().map(|&v| mesh.positions[v as usize][2]);
+    assert_below!(highest.fold(0.0, f64::max), 0.13);
+    assert!(mesh.kept_vertices.contains(&0) && mesh.kept_vertices.contains(&6));
+}
+
+/// A cylinder that a plane cuts at a slant ends in an ellipse.
+#[test]
+fn a_blend_runs_through_to_a_face_that_leans() {
+    let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    for lean in [0.5, 1.2, -0.8] {
+        let (mut positions, triangles) = prism(&square, [0.0, 2.0]);
+        for p in &mut positions {
+            // The edge to be rounded is the y axis.
+            let [z, x, y] = *p;
+            *p = [x, if y > 1.0 { y + lean * (x + z) } else { y }, z];
+        }
+        let mesh = rounded(&(positions, triangles), vec![[0, 4]]);
+        for arc in &mesh.report.sharp_edges {
+            assert_at_least!(arc.vertices.len(), 5);
+            assert_below!(off_cylinder(&mesh, &arc.vertices), 1e-12);
+        }
+        let [_, between] = of_blend(&mesh, lean);
+        assert_below!(off_cylinder(&mesh, &between), 3e-3 * WIDTH);
+    }
+}
