@@ -1,46 +1,45 @@
-//! Where a blend runs through to the face across, its edge with that face: from one of the other two creases to the other, in place of their corner. At the
-//! boundary of the surface it is the boundary's.
+//! The edges with which blends end, in place of a corner between two lines from there to rails: where a blend runs through to the face across these are the
+//! other two creases, at the boundary of the surface its two parts, and at a mitre the third crease and the line between both bands.
 //!
 //! A ball that rolls between two planes leaves a circular cylinder, and another plane that cuts all three does so along two lines and an ellipse
 //! between, the affine image of a circle. With tangents of equal length a circle that turns by t is, from a corner c to points p and q,
 //! c + a (p - c) + b (q - c), with a = (sin((t - s) / 2) / sin(t / 2))^2 and b = (sin(s / 2) / sin(t / 2))^2, where it has turned by s; and so are its images. Where
 //! these edges are curved, their points before and behind the corner stand for those of lines.
+//!
+//! Two such cylinders, along u and v from a corner, meet in c + a (q - c) + b' x u + b y v, where p - c = x u + y v is where their rails cross on the plane between
+//! them, q where the other ones do, and b and b' are those of the first cylinder and of the second where a is the same.
 
 use nalgebra::Vector3;
 
 use super::cut::Cut;
 use super::face_normals::FaceNormals;
-use super::legs::{Leg, Sense, outgoing};
+use super::legs::{Leg, Sense, Way, outgoing};
 use super::surface::between;
-use super::through::Through;
 use crate::fairing::{CreaseEnd, CreasePoint, GivenCrease};
 
 /// Faces that bend by less (radians) have a line between rails.
 const FLAT: f64 = 1e-6;
+/// Tangents are differences over so much of a turn, to both sides.
+const STEP: f64 = 1e-4;
 
 /// From rail to rail: vertices and where they are to lie. The blend is on the left, and the face across on the right.
 pub(super) type Arc = Vec<(u32, CreasePoint)>;
 
-/// The arcs on faces across from these ends, as creases; none where a corner was not cut as it should be.
-pub(super) fn arcs(cut: &Cut<'_>, through: &[Through], normals: &FaceNormals<'_>) -> Vec<GivenCrease> {
-    let outgoing = outgoing(cut, through);
-    let crease = |of: &Through| {
-        let legs = [Sense::Away, Sense::Towards].map(|sense| Leg::new(cut, of, sense, &outgoing));
-        let [Some(first), Some(last)] = legs else {
-            return None;
-        };
-        let (vertices, points) = arc(cut, [&first, &last], normals)?.into_iter().unzip();
+/// The arcs around corners, from one line to the other, as creases; none where a corner was not cut as it should be.
+pub(super) fn arcs(cut: &Cut<'_>, lines: &[(u32, [Way; 2])], normals: &FaceNormals<'_>) -> Vec<GivenCrease> {
+    let outgoing = outgoing(cut, lines.iter().map(|of| of.0));
+    let crease = |(corner, ways): &(u32, [Way; 2])| {
+        let [first, last] = ways.map(|way| Leg::new(cut, *corner, way, &outgoing));
+        let legs = [&first?, &last?];
+        let (vertices, points) = arc(cut, legs, normals)?.into_iter().unzip();
+        let [first, last] = legs.map(|leg| end(cut, leg, normals));
         Some(GivenCrease {
-            ends: [
-                end(cut, &first, Sense::Away, normals)?,
-                end(cut, &last, Sense::Towards, normals)?,
-            ],
+            ends: [first?, last?],
             vertices,
             points,
         })
     };
-    let all = through.iter().filter(|of| of.face.is_some());
-    all.filter_map(crease).collect()
+    lines.iter().filter_map(crease).collect()
 }
 
 /// The arc from the rail of one leg to that of the other.
@@ -55,17 +54,28 @@ pub(super) fn arc(cut: &Cut<'_>, legs: [&Leg; 2], normals: &FaceNormals<'_>) -> 
     }
     let corner = legs[0].vertices[0].1;
     let length = legs[0].length() + legs[1].length();
+    // How much of both turns is left.
+    let left = |done: f64| match legs[1].aside {
+        Some(_) => [1.0 - done, turns[1].left(turns[0].factor(1.0 - done))],
+        None => [1.0 - done; 2],
+    };
+    let place = |done: f64| {
+        let left = left(done);
+        let [b, other] = [0, 1].map(|side| turns[side].factor(1.0 - left[side]));
+        let aside = legs[1]
+            .aside
+            .map_or(Vector3::zeros(), |aside| aside * (other - b));
+        corner + legs[0].at(turns[0].factor(left[0])) + legs[1].at(b) + aside
+    };
     let point = |(v, along): (u32, f64)| {
-        let [done, left] = [along / length, 1.0 - along / length];
-        let [a, b] = [left, done].map(|part| turns[0].part(part));
-        let ([p, towards_p], [q, towards_q]) = (legs[0].at(a[0]), legs[1].at(b[0]));
-        let tangent = towards_q * b[1] - towards_p * a[1];
+        let done = along / length;
+        let (tangent, left) = (place(done + STEP) - place(done - STEP), left(done));
         let [blend, across] = [0, 1].map(|side| {
-            let normal = turns[side].normal(done);
+            let normal = turns[side].normal(1.0 - left[side]);
             normal - tangent * (normal.dot(&tangent) / tangent.norm_squared())
         });
         let point = CreasePoint {
-            place: corner + p + q,
+            place: place(done),
             normals: [blend.try_normalize(0.0)?, across.try_normalize(0.0)?],
         };
         Some((v, point))
@@ -97,14 +107,14 @@ impl Turn {
         }
     }
 
-    /// The factor `a` where so much of the turn is left, or `b` where it is done, and how fast it changes with the angle.
-    fn part(&self, part: f64) -> [f64; 2] {
-        let whole = libm::sin(0.5 * self.angle);
-        let angle = part * self.angle;
-        [
-            (libm::sin(0.5 * angle) / whole).powi(2),
-            0.5 * libm::sin(angle) / whole.powi(2),
-        ]
+    /// The factor `a` where so much of the turn is left, or `b` where it is done.
+    fn factor(&self, part: f64) -> f64 {
+        (libm::sin(0.5 * part * self.angle) / libm::sin(0.5 * self.angle)).powi(2)
+    }
+
+    /// How much of the turn is left where the factor `a` is this.
+    fn left(&self, factor: f64) -> f64 {
+        2.0 * libm::asin((factor.max(0.0).sqrt() * libm::sin(0.5 * self.angle)).min(1.0)) / self.angle
     }
 
     /// The normal where so much of it is done, of any length.
@@ -114,15 +124,13 @@ impl Turn {
     }
 }
 
-/// How the crease arrives at the rail, along whose last step it comes in.
-fn end(cut: &Cut<'_>, leg: &Leg, sense: Sense, normals: &FaceNormals<'_>) -> Option<CreaseEnd> {
-    let [inside, h] = *leg.steps.last_chunk()?;
-    let [v, outside] = sense.ends(cut, h);
-    let at = |v: u32| cut.sheet.x[v as usize];
-    let direction = (at(sense.ends(cut, inside)[0]) - at(v)).try_normalize(0.0)?;
+/// How the crease arrives at the rail.
+fn end(cut: &Cut<'_>, leg: &Leg, normals: &FaceNormals<'_>) -> Option<CreaseEnd> {
+    let [(_, inside, _), (v, rail, _)] = *leg.vertices.last_chunk()?;
+    let direction = (inside - rail).try_normalize(0.0)?;
     let of = |side: usize| normals.between(&cut.sheet.parents[v as usize], leg.faces[side]);
     // On the left of the way from the corner is right of the way to it.
-    let [left, right] = match sense {
+    let [left, right] = match leg.sense {
         Sense::Away => [of(0)?, of(1)?],
         Sense::Towards => [of(1)?, of(0)?],
     };
@@ -134,6 +142,6 @@ fn end(cut: &Cut<'_>, leg: &Leg, sense: Sense, normals: &FaceNormals<'_>) -> Opt
         normals: [left, right].map(Into::into),
         angle: between(&left, &right).to_degrees() * left.cross(&right).dot(&direction).signum(),
         error: 0.0,
-        chains: vec![vec![v, outside]],
+        chains: vec![std::iter::once(v).chain(leg.outside).collect()],
     })
 }

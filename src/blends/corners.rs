@@ -14,8 +14,12 @@ const LEAST: f64 = 0.1;
 
 /// The corners of all faces at which bands meet, and per side of a chain the angles of its face at the chain's beginning and end: half a turn where no
 /// other band begins. A rail leaves the lines that it has along the creases where they would come near each other: the more pointed the corner,
-/// the earlier.
-pub(super) fn corners(surface: &Surface<'_>, graph: &CreaseGraph) -> (Vec<Corner>, Vec<[f64; 2]>) {
+/// the earlier. At corners that are mitred (ascending) they cross.
+pub(super) fn corners(
+    surface: &Surface<'_>,
+    graph: &CreaseGraph,
+    mitred: &[u32],
+) -> (Vec<Corner>, Vec<[f64; 2]>) {
     let side = sides(surface, graph);
     let mut corners = Vec::new();
     let mut angles = vec![[std::f64::consts::PI; 2]; 2 * graph.chains.len()];
@@ -39,7 +43,8 @@ pub(super) fn corners(surface: &Surface<'_>, graph: &CreaseGraph) -> (Vec<Corner
             angles[b as usize][1 - b as usize % 2] = angle;
         }
         let radius = RADIUS * 2.0_f64.sqrt() * libm::cos(0.5 * angle.min(std::f64::consts::PI));
-        if a != b && radius > LEAST {
+        let is_mitre = mitred.binary_search(&surface.origin(h)).is_ok();
+        if a != b && radius > LEAST && !is_mitre {
             corners.push(Corner {
                 sides: [a.min(b), a.max(b)],
                 radius,

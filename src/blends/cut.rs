@@ -3,6 +3,7 @@
 use super::level::{Entry, Level};
 use super::sheet::Sheet;
 use crate::mesh::NONE;
+use crate::mesh::halfedge::next;
 use fairmesh_linear::interrupt::checkpoint;
 
 /// Steps to where an edge crosses the rail.
@@ -22,6 +23,8 @@ const SAME: f64 = 1e-9;
 pub(super) struct Cut<'a> {
     pub(super) sheet: Sheet,
     pub(super) level: &'a Level,
+    /// How many of the vertices are those of the mesh given.
+    pub(super) given: usize,
     /// The face of each triangle given.
     faces: &'a [u32],
     /// Its label; none if all have the same.
@@ -32,6 +35,8 @@ pub(super) struct Cut<'a> {
     pub(super) value: Vec<f64>,
     /// Per triangle whether it is in a band; known when rails are cut.
     pub(super) is_band: Vec<bool>,
+    /// Per vertex whether it is on the line of a mitre: it stays there.
+    is_on_mitre: Vec<bool>,
     waiting: Vec<u32>,
     is_waiting: Vec<bool>,
 }
@@ -42,8 +47,10 @@ impl<'a> Cut<'a> {
             near: vec![Vec::new(); sheet.x.len()],
             value: vec![f64::INFINITY; sheet.x.len()],
             is_band: Vec::new(),
+            is_on_mitre: vec![false; sheet.x.len()],
             waiting: Vec::new(),
             is_waiting: vec![false; sheet.triangles.len()],
+            given: sheet.x.len(),
             sheet,
             level,
             faces,
@@ -178,12 +185,29 @@ impl<'a> Cut<'a> {
         }
     }
 
+    /// The vertex is on the line of a mitre.
+    pub(super) fn set_on_mitre(&mut self, v: u32) {
+        self.is_on_mitre[v as usize] = true;
+    }
+
+    /// Whether the line of a mitre goes along an edge.
+    pub(super) fn is_mitre(&self, h: u32) -> bool {
+        [self.sheet.origin(h), self.sheet.target(h)]
+            .into_iter()
+            .all(|v| self.is_on_mitre(v))
+    }
+
+    pub(super) fn is_on_mitre(&self, v: u32) -> bool {
+        self.is_on_mitre[v as usize]
+    }
+
     /// Splits an edge; the new vertex knows the sides that its ends know.
     fn split(&mut self, h: u32, t: f64) -> u32 {
         let o = self.sheet.across(h);
         let known = self.known(h);
         let mut near = Vec::new();
         let triangles = self.sheet.triangles.len() as u32;
+        self.is_on_mitre.push(self.is_mitre(h));
         let m = self.sheet.split(h, t);
         let value = self.level.value_at(&self.sheet.x[m as usize], &known, &mut near);
         self.near.push(near);
@@ -209,9 +233,9 @@ impl<'a> Cut<'a> {
         known.filter(is_here).copied().collect()
     }
 
-    /// Splits all edges that cross a rail where they do, but moves vertices that are near it there, if they are none of the first `given`. Afterwards no
+    /// Splits all edges that cross a rail where they do, but moves vertices that are near it there, if they are none of those given. Afterwards no
     /// triangle has vertices on both sides.
-    pub(super) fn cut(&mut self, given: usize) {
+    pub(super) fn cut(&mut self) {
         for v in 0..self.value.len() {
             if self
                 .wanted(v as u32)
@@ -220,7 +244,7 @@ impl<'a> Cut<'a> {
                 self.value[v] = 0.0;
             }
         }
-        self.slide(given);
+        self.slide();
         let mut t = 0;
         while t < self.sheet.triangles.len() as u32 {
             checkpoint();
@@ -241,11 +265,12 @@ impl<'a> Cut<'a> {
     }
 
     /// Moves vertices near rails onto them, along edges.
-    fn slide(&mut self, given: usize) {
+    fn slide(&mut self) {
         let mut outgoing = vec![NONE; self.sheet.x.len()];
         (0..3 * self.sheet.triangles.len() as u32).for_each(|h| outgoing[self.sheet.origin(h) as usize] = h);
-        for &h in &outgoing[given..] {
-            let Some(wanted) = self.wanted(self.sheet.origin(h)) else {
+        for &h in &outgoing[self.given..] {
+            let v = self.sheet.origin(h);
+            let Some(wanted) = self.wanted(v).filter(|_| !self.is_on_mitre(v)) else {
                 continue;
             };
             let mut ways = Vec::new();
@@ -258,15 +283,20 @@ impl<'a> Cut<'a> {
             ways.retain(|way| way.0 < SNAP * wanted);
             ways.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             if let Some(&(_, g, t)) = ways.iter().find(|way| self.can_slide(way.1, way.2, wanted)) {
-                let v = self.sheet.origin(g);
-                self.sheet.slide(g, t);
-                let known = std::mem::take(&mut self.near[v as usize]);
-                let mut near = Vec::new();
-                self.level.value_at(&self.sheet.x[v as usize], &known, &mut near);
-                self.near[v as usize] = near;
+                self.move_along(g, t);
                 self.value[v as usize] = 0.0;
             }
         }
+    }
+
+    /// Moves the vertex where `h` starts by a fraction of the way along it.
+    fn move_along(&mut self, h: u32, t: f64) {
+        let v = self.sheet.origin(h) as usize;
+        self.sheet.slide(h, t);
+        let known = std::mem::take(&mut self.near[v]);
+        let mut near = Vec::new();
+        self.value[v] = self.level.value_at(&self.sheet.x[v], &known, &mut near);
+        self.near[v] = near;
     }
 
     /// Whether the surface stays where it is if the first vertex of `h` moves along `h`.
@@ -285,7 +315,7 @@ impl<'a> Cut<'a> {
     }
 
     /// Splits an edge where it crosses a rail.
-    fn cross(&mut self, h: u32) {
+    pub(super) fn cross(&mut self, h: u32) {
         let t = self.crossing(h);
         let m = self.split(h, t);
         self.value[m as usize] = 0.0;
@@ -293,8 +323,38 @@ impl<'a> Cut<'a> {
 
     /// Which fraction of the way along an edge a rail is.
     fn crossing(&self, h: u32) -> f64 {
+        let ends = [self.sheet.origin(h), self.sheet.target(h)];
+        self.zero(h, ends.map(|v| self.value[v as usize]), |near| {
+            self.level.value(near)
+        })
+    }
+
+    /// Puts a vertex where a function of the sides at an edge is zero, which has these values at its ends: one of these if it is near and can move there, or
+    /// else a new one. The half-edge of the same triangle that starts there.
+    pub(super) fn put_where(&mut self, h: u32, ends: [f64; 2], function: impl Fn(&[Entry]) -> f64) -> u32 {
+        let t = self.zero(h, ends, function);
+        let length = self.sheet.squared_length(h).sqrt();
+        for (g, along, own) in [(h, t, h), (self.sheet.across(h), 1.0 - t, next(h))] {
+            let wanted = self.wanted(self.sheet.origin(own)).unwrap_or(0.0);
+            if along * length < SNAP * wanted && self.can_move(g, along, wanted) {
+                self.move_along(g, along);
+                return own;
+            }
+        }
+        self.split(h, t);
+        next(h)
+    }
+
+    /// Whether the vertex where `h` starts is none that was given or is to stay, and the surface stays where it is if it moves along `h`.
+    fn can_move(&self, h: u32, t: f64, wanted: f64) -> bool {
+        let v = self.sheet.origin(h);
+        v as usize >= self.given && !self.is_on_mitre(v) && self.can_slide(h, t, wanted)
+    }
+
+    /// Which fraction of the way along an edge it is to there.
+    fn zero(&self, h: u32, ends: [f64; 2], function: impl Fn(&[Entry]) -> f64) -> f64 {
         let [a, b] = [self.sheet.origin(h), self.sheet.target(h)];
-        let [mut low, mut high] = [(0.0, self.value[a as usize]), (1.0, self.value[b as usize])];
+        let [mut low, mut high] = [(0.0, ends[0]), (1.0, ends[1])];
         let (p, q) = (self.sheet.x[a as usize], self.sheet.x[b as usize]);
         let near = self.known(h);
         let mut entries = Vec::new();
@@ -304,7 +364,8 @@ impl<'a> Cut<'a> {
         };
         for _ in 0..STEPS {
             let t = crossing(low, high);
-            let value = self.level.value_at(&(p + (q - p) * t), &near, &mut entries);
+            self.level.value_at(&(p + (q - p) * t), &near, &mut entries);
+            let value = function(&entries);
             if value * low.1 > 0.0 {
                 low = (t, value);
             } else {

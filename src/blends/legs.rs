@@ -1,24 +1,19 @@
-//! What bounds the face across from a crease's end, or the surface there, from that corner to the rails.
+//! Lines from the ends of creases to rails.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Vector3;
 
 use super::cut::Cut;
-use super::through::Through;
 use crate::mesh::NONE;
 use crate::mesh::halfedge::{next, previous};
 
-/// What is left of the two creases inside the band is divided into edges as short as those of the band: they are to be the arc's.
-pub(super) fn divide(cut: &mut Cut<'_>, through: &[Through]) {
+/// What is left of these lines inside bands is divided into edges as short as those of the bands: they are to be the arcs'.
+pub(super) fn divide(cut: &mut Cut<'_>, lines: &[(u32, [Way; 2])]) {
     loop {
-        let outgoing = outgoing(cut, through);
-        let ways = through
-            .iter()
-            .flat_map(|of| [Sense::Away, Sense::Towards].map(|sense| (of, sense)));
-        let steps: Vec<u32> = ways
-            .flat_map(|(of, sense)| steps(cut, of, sense, &outgoing))
-            .collect();
+        let outgoing = outgoing(cut, lines.iter().map(|of| of.0));
+        let ways = lines.iter().flat_map(|(v, ways)| ways.map(|way| (*v, way)));
+        let steps: Vec<u32> = ways.flat_map(|(v, way)| steps(cut, v, way, &outgoing)).collect();
         let ends = |cut: &Cut<'_>, h: u32| [cut.sheet.origin(h), cut.sheet.target(h)];
         let is_long = |h: &u32| {
             let wanted = ends(cut, *h).map(|v| cut.wanted(v).unwrap_or(f64::INFINITY));
@@ -41,22 +36,40 @@ pub(super) fn divide(cut: &mut Cut<'_>, through: &[Through]) {
     }
 }
 
-/// A half-edge from each of the corners.
-pub(super) fn outgoing(cut: &Cut<'_>, through: &[Through]) -> BTreeMap<u32, u32> {
+/// A half-edge from each of these vertices.
+pub(super) fn outgoing(cut: &Cut<'_>, vertices: impl Iterator<Item = u32>) -> BTreeMap<u32, u32> {
     let sheet = &cut.sheet;
+    let vertices: BTreeSet<u32> = vertices.collect();
+    if vertices.is_empty() {
+        return BTreeMap::new();
+    }
     let all = (0..3 * sheet.triangles.len() as u32).filter(|h| sheet.is_there(h / 3));
-    match through.is_empty() {
-        true => BTreeMap::new(),
-        false => {
-            let corners: BTreeSet<u32> = through.iter().map(|of| of.vertex).collect();
-            all.map(|h| (sheet.origin(h), h))
-                .filter(|(v, _)| corners.contains(v))
-                .collect()
+    all.map(|h| (sheet.origin(h), h))
+        .filter(|(v, _)| vertices.contains(v))
+        .collect()
+}
+
+/// Which line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Way {
+    /// The crease with this face on the left of the way from the corner, or on the right.
+    Crease(u32, Sense),
+    /// The boundary likewise.
+    Boundary(Sense),
+    /// Between two bands on this face, whose creases leave the corner in these directions.
+    Mitre(u32, [Vector3<f64>; 2]),
+}
+
+impl Way {
+    fn sense(self) -> Sense {
+        match self {
+            Self::Crease(_, sense) | Self::Boundary(sense) => sense,
+            Self::Mitre(..) => Sense::Away,
         }
     }
 }
 
-/// Whether the face across is on the left of the way from the corner, or on the right.
+/// Whether the half-edges of a line lead away from its corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Sense {
     Away,
@@ -64,7 +77,7 @@ pub(super) enum Sense {
 }
 
 impl Sense {
-    /// The vertices of a half-edge of that face, on the way from the corner.
+    /// The vertices of a half-edge on the way from the corner.
     pub(super) fn ends(self, cut: &Cut<'_>, h: u32) -> [u32; 2] {
         let [a, b] = [cut.sheet.origin(h), cut.sheet.target(h)];
         match self {
@@ -72,44 +85,57 @@ impl Sense {
             Self::Towards => [b, a],
         }
     }
+
+    /// A half-edge that starts where `h` ends on that way.
+    fn on(self, h: u32) -> u32 {
+        match self {
+            Self::Away => next(h),
+            Self::Towards => h,
+        }
+    }
 }
 
 /// From a crease's end to a rail.
 pub(super) struct Leg {
-    /// Its half-edges, and the next one.
-    pub(super) steps: Vec<u32>,
+    pub(super) sense: Sense,
     /// Its vertices, their places and how far along it they are.
     pub(super) vertices: Vec<(u32, Vector3<f64>, f64)>,
-    /// The face of the blend there, and that across; at the boundary the same one.
+    /// The next vertex, if it goes on behind the rail.
+    pub(super) outside: Option<u32>,
+    /// Between two bands: what of it is along the first crease, if it is parted along both.
+    pub(super) aside: Option<Vector3<f64>>,
+    /// The faces on its sides there: of the blend, and across; on a boundary and between bands there is but one.
     pub(super) faces: [u32; 2],
 }
 
 impl Leg {
     /// None where it does not end on a rail.
-    pub(super) fn new(
-        cut: &Cut<'_>,
-        of: &Through,
-        sense: Sense,
-        outgoing: &BTreeMap<u32, u32>,
-    ) -> Option<Self> {
-        let steps = steps(cut, of, sense, outgoing);
+    pub(super) fn new(cut: &Cut<'_>, corner: u32, way: Way, outgoing: &BTreeMap<u32, u32>) -> Option<Self> {
+        let (steps, sense) = (steps(cut, corner, way, outgoing), way.sense());
         let last = *steps.last()?;
-        let at = |v: u32| cut.sheet.x[v as usize];
-        let mut along = 0.0;
-        let vertex = |&h: &u32| {
-            let [v, on] = sense.ends(cut, h);
-            let vertex = (v, at(v), along);
-            along += (at(on) - at(v)).norm();
-            vertex
+        let place = |v: u32| cut.sheet.x[v as usize];
+        let mut vertices = vec![(corner, place(corner), 0.0)];
+        for &h in &steps {
+            let [from, to] = sense.ends(cut, h);
+            let along = vertices[vertices.len() - 1].2 + (place(to) - place(from)).norm();
+            vertices.push((to, place(to), along));
+        }
+        let outside = step(cut, sense.on(last), way);
+        let beside = outside.unwrap_or(last);
+        let across = match (cut.sheet.across(beside), way) {
+            (NONE, _) | (_, Way::Mitre(..)) => beside,
+            (across, _) => across,
         };
-        let beside = match cut.sheet.across(last) {
-            NONE => last,
-            across => across,
-        };
+        let whole = vertices[vertices.len() - 1].1 - vertices[0].1;
         let leg = Self {
-            vertices: steps.iter().map(vertex).collect(),
-            faces: [beside, last].map(|h| cut.face(h / 3)),
-            steps,
+            sense,
+            aside: match way {
+                Way::Mitre(_, along) => Some(part_along(&whole, along)),
+                _ => None,
+            },
+            outside: outside.map(|h| sense.ends(cut, h)[1]),
+            faces: [across, beside].map(|h| cut.face(h / 3)),
+            vertices,
         };
         let is_on_rail = cut.value[leg.rail() as usize] == 0.0;
         (is_on_rail && leg.length() > 0.0).then_some(leg)
@@ -124,47 +150,53 @@ impl Leg {
         self.vertices[self.vertices.len() - 1].2
     }
 
-    /// From the corner to the point at this part of its length, and the derivative by that part.
-    pub(super) fn at(&self, part: f64) -> [Vector3<f64>; 2] {
+    /// From the corner to the point at this part of its length.
+    pub(super) fn at(&self, part: f64) -> Vector3<f64> {
         let (along, all) = (part * self.length(), &self.vertices);
         let k = all.partition_point(|of| of.2 <= along).clamp(1, all.len() - 1);
         let ((_, p, before), (_, q, behind)) = (all[k - 1], all[k]);
         let slope = (q - p) / (behind - before);
-        [p + slope * (along - before) - all[0].1, slope * self.length()]
+        p + slope * (along - before) - all[0].1
     }
 }
 
-/// The half-edges of the face across, or of the boundary, from the corner along it to the rail, and the next one.
-fn steps(cut: &Cut<'_>, of: &Through, sense: Sense, outgoing: &BTreeMap<u32, u32>) -> Vec<u32> {
+/// The part along the first of two directions of a vector in their plane.
+fn part_along(v: &Vector3<f64>, [first, second]: [Vector3<f64>; 2]) -> Vector3<f64> {
+    let across = first.cross(&second);
+    first * (v.cross(&second).dot(&across) / across.norm_squared().max(f64::MIN_POSITIVE))
+}
+
+/// The half-edges of a line from its corner to the rail.
+fn steps(cut: &Cut<'_>, corner: u32, way: Way, outgoing: &BTreeMap<u32, u32>) -> Vec<u32> {
     let mut steps = Vec::new();
-    let first = outgoing.get(&of.vertex);
-    let mut ahead = first.and_then(|&g| step(cut, g, of.face, sense));
+    let mut ahead = outgoing.get(&corner).and_then(|&g| step(cut, g, way));
     while let Some(h) = ahead
         && steps.len() < cut.sheet.x.len()
     {
         steps.push(h);
-        let [from, _] = sense.ends(cut, h);
-        let on = match sense {
-            Sense::Away => next(h),
-            Sense::Towards => h,
-        };
-        ahead = step(cut, on, of.face, sense).filter(|_| cut.value[from as usize] < 0.0);
+        let [_, to] = way.sense().ends(cut, h);
+        let is_inside = cut.value[to as usize] < 0.0;
+        ahead = is_inside.then(|| step(cut, way.sense().on(h), way)).flatten();
     }
     steps
 }
 
-/// The half-edge along a crease of the face, or along the boundary if there is none, that starts, or ends, where `g` starts.
-fn step(cut: &Cut<'_>, g: u32, face: Option<u32>, sense: Sense) -> Option<u32> {
+/// The half-edge of a line on from the vertex where `g` starts.
+fn step(cut: &Cut<'_>, g: u32, way: Way) -> Option<u32> {
     let (sheet, mut found) = (&cut.sheet, None);
     sheet.fan(g, |g| {
-        let h = match sense {
+        let h = match way.sense() {
             Sense::Away => g,
             Sense::Towards => previous(g),
         };
         let o = sheet.across(h);
-        let is_step = match face {
-            Some(face) => cut.face(h / 3) == face && o != NONE && cut.face(o / 3) != face,
-            None => o == NONE,
+        let is_step = match way {
+            Way::Crease(face, _) => cut.face(h / 3) == face && o != NONE && cut.face(o / 3) != face,
+            Way::Boundary(_) => o == NONE,
+            Way::Mitre(face, _) => {
+                let [from, to] = [sheet.origin(h), sheet.target(h)].map(|v| cut.value[v as usize]);
+                cut.face(h / 3) == face && cut.is_mitre(h) && to > from
+            }
         };
         if is_step {
             found = Some(h);

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::arcs::{Arc, arc};
 use super::cut::Cut;
 use super::face_normals::FaceNormals;
-use super::legs::{Leg, Sense, outgoing};
+use super::legs::{Leg, outgoing};
 use super::through::Through;
 use crate::mesh::NONE;
 
@@ -26,17 +26,16 @@ pub(super) fn rims(
     through: &[Through],
     normals: &FaceNormals<'_>,
 ) -> Result<Vec<Arc>, Unlaid> {
-    let ends: Vec<Through> = through.iter().filter(|of| of.face.is_none()).copied().collect();
-    let from = outgoing(cut, &ends);
+    let ends: Vec<&Through> = through.iter().filter(|of| of.face.is_none()).collect();
+    let from = outgoing(cut, ends.iter().map(|of| of.vertex));
     let mut is_laid = vec![false; cut.sheet.x.len()];
     let mut rims = Vec::new();
-    for of in &ends {
+    for of in ends {
         let unlaid = || Unlaid::End {
             vertex: of.vertex,
             place: cut.sheet.x[of.vertex as usize],
         };
-        let legs = [Sense::Away, Sense::Towards].map(|sense| Leg::new(cut, of, sense, &from));
-        let [Some(first), Some(last)] = legs else {
+        let [Some(first), Some(last)] = of.ways().map(|way| Leg::new(cut, of.vertex, way, &from)) else {
             return Err(unlaid());
         };
         let rim = arc(cut, [&first, &last], normals).ok_or_else(unlaid)?;

@@ -9,16 +9,18 @@ use super::chain_curve::{ChainCurve, PER_WIDTH};
 use super::corners::corners;
 use super::crease_graph::{Chain, CreaseGraph};
 use super::cut::Cut;
+use super::endings::Endings;
 use super::face_normals::FaceNormals;
 use super::legs::divide;
 use super::level::{Level, Side};
+use super::mitres::trace;
 use super::options::RoundOptions;
 use super::rims::{Unlaid, rims};
 use super::rounded::{CreaseChain, Rounded};
 use super::sheet::Sheet;
 use super::surface::Surface;
 use super::telling::Telling;
-use super::through::{Through, through};
+use super::through::Through;
 use super::tidy::tidy;
 use super::unsolved::give_up;
 use super::widths::Widths;
@@ -31,7 +33,8 @@ use crate::support::error::Error;
 
 /// Rounds the creases of a mesh: in place of each there is a blend, tangent to the faces beside it. Outside of the blends the surface stays
 /// where it is; triangles that reach into one are cut. Where one crease of a corner of three is rounded, and the other two are ridges or grooves both, its
-/// blend runs through to the face across, which then ends in an arc; at the boundary of the mesh it runs out with its profile, and the boundary's corner becomes an arc. Elsewhere a blend fades out where its crease ends or no other one is rounded.
+/// blend runs through to the face across, which then ends in an arc; at the boundary of the mesh it runs out with its profile, and the boundary's corner becomes an arc. Where two creases of such three are rounded, the third one goes on between their blends to where their
+/// rails cross. Elsewhere a blend fades out where its crease ends or no other one is rounded.
 ///
 /// ```
 /// use fairmesh::{RoundOptions, round};
@@ -91,7 +94,7 @@ pub fn blend_vertices(
     let surface = Surface::new(positions, &joined.triangles)?;
     let graph = CreaseGraph::new(&surface, &named_edges(&joined.copies, &surface, options)?);
     check_size(&surface, &graph, options)?;
-    let level = level(&surface, &graph, &through(&surface, &graph), options);
+    let level = level(&surface, &graph, &Endings::new(&surface, &graph), options);
     let chosen = (0..graph.chains.len()).filter(|&c| graph.chains[c].is_chosen);
     Ok(chosen.map(|c| level.vertices(c)).sum::<f64>() as usize)
 }
@@ -129,19 +132,19 @@ fn rounded(
     check_size(&surface, &graph, options)?;
     let mut given_up = 0;
     loop {
-        let through = through(&surface, &graph);
-        let level = level(&surface, &graph, &through, options);
+        let endings = Endings::new(&surface, &graph);
+        let level = level(&surface, &graph, &endings, options);
         let cut = cut_out(
             (&surface, &joined.triangles),
             (&graph, &options.labels),
-            &through,
+            &endings,
             &level,
         );
         let normals = FaceNormals {
             surface: &surface,
             graph: &graph,
         };
-        let rims = match rims(&cut, &through, &normals) {
+        let rims = match rims(&cut, &endings.through, &normals) {
             Ok(rims) => rims,
             Err(Unlaid::End { vertex, place }) => {
                 graph.sharp_corners.push((vertex, place));
@@ -157,7 +160,7 @@ fn rounded(
         let bands = Bands::new(
             &cut,
             &normals,
-            (arcs(&cut, &through, &normals), &rims),
+            (arcs(&cut, &endings.creases(), &normals), &rims),
             options.fairing.asks_continuity(),
         );
         let rounded = bands.fair(positions, &surface.centre, &options.fairing, &mut telling)?;
@@ -175,10 +178,9 @@ const GIVEN_UP: usize = 4;
 fn cut_out<'l>(
     (surface, triangles): (&Surface<'_>, &[[u32; 3]]),
     (graph, labels): (&'l CreaseGraph, &'l [u32]),
-    through: &[Through],
+    endings: &Endings,
     level: &'l Level,
 ) -> Cut<'l> {
-    let given = surface.x.len();
     let sheet = Sheet::new(
         surface.x.clone(),
         triangles.to_vec(),
@@ -186,11 +188,12 @@ fn cut_out<'l>(
     );
     let mut cut = Cut::new(sheet, level, (&graph.faces, labels));
     seed(&mut cut, surface, graph);
-    seed_across(&mut cut, surface, graph, through);
+    seed_across(&mut cut, surface, graph, &endings.through);
     cut.spread();
-    divide(&mut cut, through);
-    cut.cut(given);
-    tidy(&mut cut, given);
+    trace(&mut cut, &endings.mitres);
+    divide(&mut cut, &endings.lines());
+    cut.cut();
+    tidy(&mut cut);
     cut
 }
 
@@ -254,17 +257,19 @@ fn named_edges(
 }
 
 /// The sides of all chains, with their widths.
-fn level(surface: &Surface<'_>, graph: &CreaseGraph, through: &[Through], options: &RoundOptions) -> Level {
+fn level(surface: &Surface<'_>, graph: &CreaseGraph, endings: &Endings, options: &RoundOptions) -> Level {
+    let Endings { through, mitres } = endings;
+    let mitred: Vec<u32> = mitres.iter().map(|of| of.vertex).collect();
     let base = options.radius.max(options.width);
     let curve = |chain: &Chain| {
         let bends: Vec<f64> = chain.half_edges.iter().map(|&h| graph.bend(surface, h)).collect();
         ChainCurve::new(&vertices(chain, surface), &bends, chain.is_closed, base)
     };
     let mut curves: Vec<ChainCurve> = graph.chains.iter().map(curve).collect();
-    for of in through {
+    for of in endings.ends() {
         curves[of.chain].goes_on[of.end] = true;
     }
-    let (corners, angles) = corners(surface, graph);
+    let (corners, angles) = corners(surface, graph, &mitred);
     let mut widths = Widths::asked(&curves, options);
     let least = widths.fit(surface, graph, &curves, (&angles, through));
     widths.fade(surface, graph, &curves, through);
@@ -278,7 +283,10 @@ fn level(surface: &Surface<'_>, graph: &CreaseGraph, through: &[Through], option
     for (number, chain) in graph.chains.iter().enumerate() {
         sides.extend(graph.beside(chain, surface).map(|face| side(face, number)));
     }
-    sides.extend(through.iter().filter_map(|of| Some(side(of.face?, of.chain))));
+    for of in mitres {
+        of.taper(&curves, &mut sides);
+    }
+    sides.extend(through.iter().filter_map(|of| Some(side(of.face?, of.at.chain))));
     Level {
         curves,
         sides,
@@ -319,8 +327,8 @@ fn seed(cut: &mut Cut<'_>, surface: &Surface<'_>, graph: &CreaseGraph) {
 fn seed_across(cut: &mut Cut<'_>, surface: &Surface<'_>, graph: &CreaseGraph, through: &[Through]) {
     let across = through.iter().filter(|of| of.face.is_some());
     for (side, of) in (2 * graph.chains.len() as u32..).zip(across) {
-        let last = cut.level.curves[of.chain].points.len() - 1;
-        let at = [0, last][of.end] as f64;
+        let last = cut.level.curves[of.at.chain].points.len() - 1;
+        let at = [0, last][of.at.end] as f64;
         let around = surface.links.outgoing.row(of.vertex as usize);
         around.iter().take(1).for_each(|&h| cut.seed(h, side, at));
     }

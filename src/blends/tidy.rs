@@ -29,12 +29,13 @@ const TILTED: f64 = 0.94;
 /// Those of bands turn by less than the angle whose cosine this is.
 const TURNED: f64 = 0.5;
 
-/// Takes such vertices away, none of the first `given` but where they are on rails.
-pub(super) fn tidy(cut: &mut Cut<'_>, given: usize) {
+/// Takes such vertices away, none of those given but where they are on rails.
+pub(super) fn tidy(cut: &mut Cut<'_>) {
+    let given = cut.given as u32;
     for _ in 0..ROUNDS {
-        flip(cut, given as u32);
-        shorten_rails(cut);
-        thin_faces(cut, given as u32);
+        flip(cut, given);
+        shorten(cut);
+        thin_faces(cut, given);
     }
 }
 
@@ -125,10 +126,11 @@ fn keeps_labels(cut: &Cut<'_>, h: u32) -> bool {
     }
 }
 
-fn shorten_rails(cut: &mut Cut<'_>) {
+/// Takes short edges of rails and of the lines of mitres away.
+fn shorten(cut: &mut Cut<'_>) {
     for h in 0..3 * cut.sheet.triangles.len() as u32 {
         checkpoint();
-        if !cut.sheet.is_there(h / 3) || !is_rail(cut, h) {
+        if !cut.sheet.is_there(h / 3) || !is_rail(cut, h) && !cut.is_mitre(h) {
             continue;
         }
         let Some(wanted) = cut.wanted(cut.sheet.origin(h)) else {
@@ -188,6 +190,7 @@ fn can_turn(cut: &Cut<'_>, h: u32, most: f64) -> bool {
         || stays(cut, h / 3) != stays(cut, o / 3)
         || cut.face(h / 3) != cut.face(o / 3)
         || is_between_labels(cut, h)
+        || cut.is_mitre(h)
     {
         return false;
     }
@@ -201,10 +204,17 @@ fn can_turn(cut: &Cut<'_>, h: u32, most: f64) -> bool {
     off <= most * size && is_right(cross(c, a, d)) && is_right(cross(d, b, c))
 }
 
+/// Whether the line of a mitre stays where it is if the origin of `h` moves to its target: a vertex within it may move along it.
+fn keeps_mitre(cut: &Cut<'_>, h: u32) -> bool {
+    let v = cut.sheet.origin(h);
+    let is_within = cut.value[v as usize] < 0.0 && v as usize >= cut.given;
+    !cut.is_on_mitre(v) || is_within && cut.is_mitre(h)
+}
+
 /// How far the faces that stay would move if the origin of `h` moved to its target; infinity: that cannot be.
 fn moves(cut: &Cut<'_>, h: u32, least: f64) -> f64 {
     let sheet = &cut.sheet;
-    if !sheet.can_collapse(h) || !keeps_labels(cut, h) {
+    if !sheet.can_collapse(h) || !keeps_labels(cut, h) || !keeps_mitre(cut, h) {
         return f64::INFINITY;
     }
     let (a, b) = (sheet.origin(h), sheet.target(h));

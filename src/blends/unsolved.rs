@@ -82,7 +82,8 @@ fn worst_places(result: &Rounded) -> Vec<Vector3<f64>> {
             }
             Outcome::NotConverged | Outcome::NearestMember { .. } => {
                 let bends = bends.get_or_insert_with(|| worst_bends(result, &facets));
-                Some(bends[component.vertex].1)
+                let (bend, place) = bends[component.vertex];
+                (bend > 0.0).then_some(place)
             }
             _ => None,
         });
@@ -94,6 +95,9 @@ fn worst_places(result: &Rounded) -> Vec<Vector3<f64>> {
 fn worst_bends(result: &Rounded, facets: &Facets<'_>) -> Vec<(f64, Vector3<f64>)> {
     let mut is_free = vec![false; result.positions.len()];
     result.free.iter().for_each(|&v| is_free[v as usize] = true);
+    // Components end at arcs.
+    let on_arcs = result.report.sharp_edges.iter().flat_map(|edge| &edge.vertices);
+    on_arcs.for_each(|&v| is_free[v as usize] = false);
     let is_free = |v: &u32| is_free[*v as usize];
     let mut components = DisjointSets::new(result.positions.len());
     for triangle in &result.triangles {

@@ -23,7 +23,7 @@ const LEAST: f64 = 0.1;
 /// What lies in a direction on a face: the cosine.
 const AHEAD: f64 = 0.4;
 /// Widths change by at most so much per length.
-const SLOPE: f64 = 0.25;
+pub(super) const SLOPE: f64 = 0.25;
 
 /// A band that fades out ends so many widths before its crease does, as bands of one corner have no normal in common.
 const BEFORE: f64 = 0.25;
@@ -69,7 +69,7 @@ impl Widths {
             tree: &tree,
             across: through
                 .iter()
-                .filter_map(|of| Some(((of.chain, of.end), of.face?)))
+                .filter_map(|of| Some(((of.at.chain, of.at.end), of.face?)))
                 .collect(),
         };
         let widest = self.0.iter().flatten().copied().fold(0.0, f64::max);

@@ -1,8 +1,8 @@
 //! Where rounded creases end: faces across from them, and boundaries.
 
-use fairmesh::{Outcome, RoundOptions, Rounded, round};
+use fairmesh::{Outcome, RoundOptions, Rounded, SharpFate, round};
 
-use crate::round::prism;
+use crate::round::{euler_number, prism};
 
 const WIDTH: f64 = 0.2;
 
@@ -92,4 +92,59 @@ fn a_blend_runs_through_to_a_face_that_leans() {
         let [_, between] = of_blend(&mesh, lean);
         assert_below!(off_cylinder(&mesh, &between), 3e-3 * WIDTH);
     }
+}
+
+/// The blends of the edges around the top of a prism, whose sides lean by so much, from 0 to 1.
+fn rounded_top(turned: bool, lean: f64) -> Rounded {
+    let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let (mut positions, mut triangles) = prism(&square, [-1.0, 1.0]);
+    for [x, y, z] in &mut positions {
+        let size = 1.0 - lean * (*z - 1.0);
+        (*x, *y) = (*x * size, *y * size);
+    }
+    if turned {
+        triangles.iter_mut().for_each(|t| t.swap(0, 1));
+    }
+    rounded(
+        &(positions, triangles),
+        (0..4).map(|i| [4 + i, 4 + (i + 1) % 4]).collect(),
+    )
+}
+
+/// Cylinders between the top and the sides meet in ellipses from the third edges of the corners to where their rails cross on the top.
+#[test]
+fn edges_between_blends_go_on_as_mitres() {
+    for turned in [false, true] {
+        let mesh = rounded_top(turned, 0.0);
+        let from_axis = |[x, y, z]: [f64; 3]| (x.abs().max(y.abs()) - 1.0 + WIDTH).hypot(z - 1.0 + WIDTH);
+        for v in &mesh.free {
+            assert_near!(from_axis(mesh.positions[*v as usize]), WIDTH, 1e-3 * WIDTH);
+        }
+        assert_eq!(mesh.report.sharp_edges.len(), 4);
+        for edge in &mesh.report.sharp_edges {
+            assert_eq!(edge.fate, SharpFate::GoesOn);
+            assert_at_least!(edge.vertices.len(), 5);
+            for v in &edge.vertices {
+                let p = mesh.positions[*v as usize];
+                assert_near!(p[0].abs(), p[1].abs(), 1e-12);
+                assert_near!(from_axis(p), WIDTH, 1e-12);
+            }
+        }
+        assert_eq!(euler_number(&mesh), 2);
+    }
+}
+
+/// Rails on the faces beside a third edge arrive at one place of it, though they would cross it at different ones.
+#[test]
+fn rails_arrive_at_a_mitre_together() {
+    let (mut positions, triangles) =
+        prism(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]], [-1.0, 1.0]);
+    // The edges along z lean along x.
+    positions.iter_mut().for_each(|p| p[0] += 0.5 * p[2]);
+    let top = (0..4).map(|i| [4 + i, 4 + (i + 1) % 4]).collect();
+    let mesh = rounded(&(positions, triangles), top);
+    assert_eq!(mesh.report.sharp_edges.len(), 4);
+    assert!(mesh.sharp_corners.is_empty());
+    assert_eq!(euler_number(&mesh), 2);
+    assert_eq!(rounded_top(false, 0.4).report.sharp_edges.len(), 4);
 }
