@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use super::chain_curve::ChainCurve;
 use super::crease_graph::CreaseGraph;
 use super::cut::Cut;
+use super::ends::SHARE;
 use super::legs::{Sense, Way, outgoing};
 use super::level::{Entry, Side};
 use super::meetings::{End, Meeting, meetings};
@@ -26,10 +27,12 @@ pub(super) struct Mitre {
     /// Their sides on the face between them.
     sides: [u32; 2],
     face: u32,
+    /// How long the third one is.
+    length: f64,
     /// Where they go from the corner, unit length.
     along: [Vector3<f64>; 2],
-    /// The sines of the angles between them and the third one.
-    sines: [f64; 2],
+    /// The cosines and the sines of the angles between them and the third one.
+    angles: [[f64; 2]; 2],
     /// The face on the left of the third one, seen from the corner.
     left: u32,
 }
@@ -43,19 +46,23 @@ impl Mitre {
         ]
     }
 
-    /// Lets both rails on the faces beside the third crease arrive at one place of it, the nearer one.
+    /// Lets both rails on the faces beside the third crease arrive at one place of it, the nearer one, as far as it reaches.
     pub(super) fn taper(&self, curves: &[ChainCurve], sides: &mut [Side]) {
         let widths = self.ends.map(|end| {
             let all = &sides[2 * end.chain].widths;
             [all[0], all[all.len() - 1]][end.end]
         });
-        let reach = (widths[0] / self.sines[0]).min(widths[1] / self.sines[1]);
+        let reach = (widths[0] / self.angles[0][1])
+            .min(widths[1] / self.angles[1][1])
+            .min(SHARE * self.length);
         for (k, End { chain, end }) in self.ends.into_iter().enumerate() {
             // The other side of the same chain.
             let side = &mut sides[self.sides[k] as usize ^ 1];
             for (i, width) in side.widths.iter_mut().enumerate() {
-                let along = curves[chain].to_ends(i)[end];
-                *width = width.min(reach * self.sines[k] + SLOPE * along);
+                // The place on the third crease is across from a point of this one.
+                let [foot, across] = self.angles[k].map(|part| (part * reach).max(0.0));
+                let behind = (curves[chain].to_ends(i)[end] - foot).max(0.0);
+                *width = width.min(across + SLOPE * behind);
             }
         }
     }
@@ -92,8 +99,9 @@ fn mitre(surface: &Surface<'_>, graph: &CreaseGraph, at: &Meeting) -> Option<Mit
     let away = surface.edge(h);
     let along = |end: End| surface.edge(end.leaves(surface, graph)?).try_normalize(0.0);
     let along = [along(ends[0])?, along(ends[1])?];
-    let sines = along.map(|along| along.cross(&away).norm() / away.norm());
-    let is_three = sines.iter().all(|sine| *sine > LEAST)
+    let angles =
+        along.map(|along| [along.dot(&away), along.cross(&away).norm()].map(|part| part / away.norm()));
+    let is_three = angles.iter().all(|[_, sine]| *sine > LEAST)
         && beside[0] != beside[1]
         && faces.iter().all(|of| of[0] != of[1]);
     is_three.then(|| Mitre {
@@ -101,8 +109,9 @@ fn mitre(surface: &Surface<'_>, graph: &CreaseGraph, at: &Meeting) -> Option<Mit
         ends,
         sides: [side(0), side(1)],
         face,
+        length: third.chain(graph).length(surface),
         along,
-        sines,
+        angles,
         left: beside[0],
     })
 }
@@ -140,6 +149,7 @@ fn step(cut: &mut Cut<'_>, of: &Mitre, g: u32) -> Option<u32> {
         let ends = [cut.sheet.origin(h), cut.sheet.target(h)];
         if let [Some(a), Some(b)] = ends.map(|w| difference(of, &cut.near[w as usize]))
             && a * b < 0.0
+            && ![h, next(h)].into_iter().any(|g| is_on_line(cut, of, g))
         {
             let m = cut.put_where(h, [a, b], |entries| difference(of, entries).unwrap_or(0.0));
             if is_ahead(cut, v, cut.sheet.origin(m)) {

@@ -140,7 +140,7 @@ fn rails_arrive_at_a_mitre_together() {
     let (mut positions, triangles) =
         prism(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]], [-1.0, 1.0]);
     // The edges along z lean along x.
-    positions.iter_mut().for_each(|p| p[0] += 0.5 * p[2]);
+    positions.iter_mut().for_each(|p| p[0] += 0.8 * p[2]);
     let top = (0..4).map(|i| [4 + i, 4 + (i + 1) % 4]).collect();
     let mesh = rounded(&(positions, triangles), top);
     assert_eq!(mesh.report.sharp_edges.len(), 4);
