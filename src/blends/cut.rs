@@ -6,6 +6,8 @@ use crate::mesh::NONE;
 use crate::mesh::halfedge::next;
 use fairmesh_linear::interrupt::checkpoint;
 
+/// Curves go straight on for so many widths: at seven degrees a rail meets its crease there.
+const BEYOND: f64 = 8.0;
 /// Steps to where an edge crosses the rail.
 const STEPS: usize = 4;
 /// Vertices are on the rail if they are so near it, of the length wanted there.
@@ -98,7 +100,9 @@ impl<'a> Cut<'a> {
             for i in 0..self.near[v as usize].len() {
                 let entry = self.near[v as usize][i];
                 let side = &self.level.sides[entry.side as usize];
-                if side.face != face || entry.distance > 2.0 * side.widest + length {
+                let is_far = entry.distance > 2.0 * side.widest + length
+                    || self.level.beyond(&entry) > BEYOND * side.widest;
+                if side.face != face || is_far {
                     continue;
                 }
                 for h in [3 * t + (k + 1) % 3, 3 * t + (k + 2) % 3] {
@@ -332,7 +336,11 @@ impl<'a> Cut<'a> {
     /// Puts a vertex where a function of the sides at an edge is zero, which has these values at its ends: one of these if it is near and can move there, or
     /// else a new one. The half-edge of the same triangle that starts there.
     pub(super) fn put_where(&mut self, h: u32, ends: [f64; 2], function: impl Fn(&[Entry]) -> f64) -> u32 {
-        let t = self.zero(h, ends, function);
+        self.put_at(h, self.zero(h, ends, function))
+    }
+
+    /// The same at a fraction of the way along an edge.
+    pub(super) fn put_at(&mut self, h: u32, t: f64) -> u32 {
         let length = self.sheet.squared_length(h).sqrt();
         for (g, along, own) in [(h, t, h), (self.sheet.across(h), 1.0 - t, next(h))] {
             let wanted = self.wanted(self.sheet.origin(own)).unwrap_or(0.0);

@@ -22,6 +22,8 @@ pub(super) struct Side {
     pub(super) widths: Vec<f64>,
     /// The largest of them.
     pub(super) widest: f64,
+    /// Before the beginning of the curve and behind its end: the side that places have to be near as well there, if they do not count alone.
+    pub(super) with: [Option<u32>; 2],
 }
 
 /// Two sides that meet in a corner on one face: the rail goes around it smoothly.
@@ -73,7 +75,12 @@ impl Level {
     pub(super) fn value(&self, entries: &[Entry]) -> f64 {
         let mut value = f64::INFINITY;
         for (i, a) in entries.iter().enumerate() {
-            value = value.min(a.excess);
+            let with = self.with(a).map(|side| entries.iter().find(|b| b.side == side));
+            value = value.min(match with {
+                None => a.excess,
+                Some(Some(b)) if self.with(b) == Some(a.side) => a.excess.max(b.excess),
+                Some(_) => continue,
+            });
             for b in &entries[i + 1..] {
                 if let Some(radius) = self.radius(a.side, b.side) {
                     let radius = radius * (a.distance - a.excess).min(b.distance - b.excess);
@@ -86,6 +93,27 @@ impl Level {
             }
         }
         value
+    }
+
+    /// The side that a place has to be near as well, if it does not count alone.
+    fn with(&self, entry: &Entry) -> Option<u32> {
+        let side = &self.sides[entry.side as usize];
+        let last = self.curves[side.curve as usize].points.len() as f64 - 1.0;
+        match entry.at {
+            at if at < 0.0 => side.with[0],
+            at if at > last => side.with[1],
+            _ => None,
+        }
+    }
+
+    /// How far along the curve a place is before its beginning or behind its end.
+    pub(super) fn beyond(&self, entry: &Entry) -> f64 {
+        let curve = &self.curves[self.sides[entry.side as usize].curve as usize];
+        let last = curve.points.len() as f64 - 1.0;
+        match curve.is_closed {
+            true => 0.0,
+            false => (-entry.at).max(entry.at - last).max(0.0) * curve.spacing,
+        }
     }
 
     /// The value at a point, and the sides near it: those near other points close by.

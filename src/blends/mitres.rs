@@ -18,7 +18,7 @@ const ON: f64 = 1e-3;
 /// A third crease that goes almost along one that is rounded is none: the sine.
 const LEAST: f64 = 0.1;
 
-/// A corner of three creases that bend the same way.
+/// A corner of three creases, two of which are rounded and bend the same way.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Mitre {
     pub(super) vertex: u32,
@@ -27,6 +27,8 @@ pub(super) struct Mitre {
     /// Their sides on the face between them.
     sides: [u32; 2],
     face: u32,
+    /// Whether the third one bends the other way: the face between the two turns by more than half a turn, as a floor around the foot of a block.
+    is_around: bool,
     /// How long the third one is.
     length: f64,
     /// Where they go from the corner, unit length.
@@ -48,10 +50,7 @@ impl Mitre {
 
     /// Lets both rails on the faces beside the third crease arrive at one place of it, the nearer one, as far as it reaches.
     pub(super) fn taper(&self, curves: &[ChainCurve], sides: &mut [Side]) {
-        let widths = self.ends.map(|end| {
-            let all = &sides[2 * end.chain].widths;
-            [all[0], all[all.len() - 1]][end.end]
-        });
+        let widths = self.widths(sides);
         let reach = (widths[0] / self.angles[0][1])
             .min(widths[1] / self.angles[1][1])
             .min(SHARE * self.length);
@@ -68,6 +67,42 @@ impl Mitre {
     }
 }
 
+impl Mitre {
+    /// Those of both bands at the corner.
+    fn widths(&self, sides: &[Side]) -> [f64; 2] {
+        self.ends.map(|end| {
+            let all = &sides[2 * end.chain].widths;
+            [all[0], all[all.len() - 1]][end.end]
+        })
+    }
+
+    /// On a face that goes around the corner a place beyond both ends is in neither band, unless it is near both.
+    pub(super) fn join(&self, sides: &mut [Side]) {
+        for k in [0, 1].into_iter().filter(|_| self.is_around) {
+            sides[self.sides[k] as usize].with[self.ends[k].end] = Some(self.sides[1 - k]);
+        }
+    }
+
+    /// On such a face the straight line from the corner to where rails cross, as a function that is zero there: places beyond one end are as near to that
+    /// band as to the other elsewhere, too.
+    fn line(&self, cut: &Cut<'_>) -> Option<Line> {
+        let [first, second] = self.widths(&cut.level.sides);
+        let to = self.along[0] * second + self.along[1] * first;
+        let across = self.along[0].cross(&self.along[1]).cross(&to);
+        self.is_around.then(|| Line {
+            from: cut.sheet.x[self.vertex as usize],
+            across: across.try_normalize(0.0).unwrap_or_default(),
+        })
+    }
+}
+
+/// A line in a plane.
+struct Line {
+    from: Vector3<f64>,
+    /// Unit length.
+    across: Vector3<f64>,
+}
+
 /// All such corners.
 pub(super) fn mitres(surface: &Surface<'_>, graph: &CreaseGraph) -> Vec<Mitre> {
     let all = meetings(surface, graph).into_iter();
@@ -79,7 +114,7 @@ fn mitre(surface: &Surface<'_>, graph: &CreaseGraph, at: &Meeting) -> Option<Mit
         return None;
     };
     let is_inside = surface.boundary_edges(at.vertex) == 0;
-    if !is_inside || !Meeting::are_alike(graph, [first, second, third]) {
+    if !is_inside || !Meeting::are_alike(graph, [first, second]) {
         return None;
     }
     let h = third.leaves(surface, graph)?;
@@ -109,6 +144,7 @@ fn mitre(surface: &Surface<'_>, graph: &CreaseGraph, at: &Meeting) -> Option<Mit
         ends,
         sides: [side(0), side(1)],
         face,
+        is_around: !Meeting::are_alike(graph, [first, third]),
         length: third.chain(graph).length(surface),
         along,
         angles,
@@ -121,6 +157,7 @@ fn mitre(surface: &Surface<'_>, graph: &CreaseGraph, at: &Meeting) -> Option<Mit
 pub(super) fn trace(cut: &mut Cut<'_>, mitres: &[Mitre]) {
     let outgoing = outgoing(cut, mitres.iter().map(|of| of.vertex));
     for of in mitres {
+        let line = of.line(cut);
         let first = outgoing.get(&of.vertex).copied();
         // Another one may have taken its number.
         let mut at = first.filter(|&g| cut.sheet.origin(g) == of.vertex);
@@ -128,7 +165,7 @@ pub(super) fn trace(cut: &mut Cut<'_>, mitres: &[Mitre]) {
             let v = cut.sheet.origin(g);
             cut.set_on_mitre(v);
             at = match cut.value[v as usize] < 0.0 {
-                true => step(cut, of, g),
+                true => step(cut, of, line.as_ref(), g),
                 false => None,
             };
         }
@@ -136,22 +173,27 @@ pub(super) fn trace(cut: &mut Cut<'_>, mitres: &[Mitre]) {
 }
 
 /// A half-edge that starts at the next vertex of the line after that where `g` starts.
-fn step(cut: &mut Cut<'_>, of: &Mitre, g: u32) -> Option<u32> {
+fn step(cut: &mut Cut<'_>, of: &Mitre, line: Option<&Line>, g: u32) -> Option<u32> {
     let v = cut.sheet.origin(g);
     let mut around = Vec::new();
     cut.sheet.fan(g, |g| around.push(g));
     around.retain(|&g| cut.face(g / 3) == of.face);
     let on_line = around.iter().flat_map(|&g| [next(g), previous(g)]);
-    if let Some(h) = { on_line }.find(|&h| is_on_line(cut, of, h) && is_ahead(cut, v, cut.sheet.origin(h))) {
+    if let Some(h) =
+        { on_line }.find(|&h| is_on_line(cut, of, line, h) && is_ahead(cut, v, cut.sheet.origin(h)))
+    {
         return reached(cut, h, v);
     }
     for h in around.into_iter().map(next) {
         let ends = [cut.sheet.origin(h), cut.sheet.target(h)];
-        if let [Some(a), Some(b)] = ends.map(|w| difference(of, &cut.near[w as usize]))
+        if let [Some(a), Some(b)] = ends.map(|w| difference(cut, of, line, w))
             && a * b < 0.0
-            && ![h, next(h)].into_iter().any(|g| is_on_line(cut, of, g))
+            && ![h, next(h)].into_iter().any(|g| is_on_line(cut, of, line, g))
         {
-            let m = cut.put_where(h, [a, b], |entries| difference(of, entries).unwrap_or(0.0));
+            let m = match line {
+                Some(_) => cut.put_at(h, a / (a - b)),
+                None => cut.put_where(h, [a, b], |entries| excess(of, entries).unwrap_or(0.0)),
+            };
             if is_ahead(cut, v, cut.sheet.origin(m)) {
                 return reached(cut, m, v);
             }
@@ -160,17 +202,25 @@ fn step(cut: &mut Cut<'_>, of: &Mitre, g: u32) -> Option<u32> {
     None
 }
 
+/// How far a vertex is from the line, to one side of it.
+fn difference(cut: &Cut<'_>, of: &Mitre, line: Option<&Line>, v: u32) -> Option<f64> {
+    match line {
+        Some(line) => Some((cut.sheet.x[v as usize] - line.from).dot(&line.across)),
+        None => excess(of, &cut.near[v as usize]),
+    }
+}
+
 /// By how much a place is farther outside of one band than of the other.
-fn difference(of: &Mitre, near: &[Entry]) -> Option<f64> {
+fn excess(of: &Mitre, near: &[Entry]) -> Option<f64> {
     let excess = |side: u32| near.iter().find(|e| e.side == side).map(|e| e.excess);
     Some(excess(of.sides[0])? - excess(of.sides[1])?)
 }
 
 /// Whether the vertex where `h` starts is on the line.
-fn is_on_line(cut: &Cut<'_>, of: &Mitre, h: u32) -> bool {
+fn is_on_line(cut: &Cut<'_>, of: &Mitre, line: Option<&Line>, h: u32) -> bool {
     let v = cut.sheet.origin(h);
     let wanted = cut.wanted(v).unwrap_or(0.0);
-    difference(of, &cut.near[v as usize]).is_some_and(|d| d.abs() <= ON * wanted)
+    difference(cut, of, line, v).is_some_and(|d| d.abs() <= ON * wanted)
 }
 
 /// Whether `w` is nearer to the rails than `v`.

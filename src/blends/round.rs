@@ -279,12 +279,14 @@ fn level(surface: &Surface<'_>, graph: &CreaseGraph, endings: &Endings, options:
         curve: curve as u32,
         widest: widths.0[curve].iter().copied().fold(0.0, f64::max),
         widths: widths.0[curve].clone(),
+        with: [None; 2],
     };
     for (number, chain) in graph.chains.iter().enumerate() {
         sides.extend(graph.beside(chain, surface).map(|face| side(face, number)));
     }
     for of in mitres {
         of.taper(&curves, &mut sides);
+        of.join(&mut sides);
     }
     sides.extend(through.iter().filter_map(|of| Some(side(of.face?, of.at.chain))));
     Level {

@@ -339,7 +339,7 @@ fn a_blend_runs_through_to_the_faces_at_its_ends() {
 }
 
 /// A block on a square of floor: the corners of the floor, of the block's foot and of its top.
-fn block_on_floor() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+pub(crate) fn block_on_floor() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     let square = |half: f64, z: f64| {
         [[-half, -half], [half, -half], [half, half], [-half, half]].map(|[x, y]| [x, y, z])
     };

@@ -2,7 +2,7 @@
 
 use fairmesh::{Outcome, RoundOptions, Rounded, SharpFate, round};
 
-use crate::round::{euler_number, prism};
+use crate::round::{block_on_floor, euler_number, prism};
 
 const WIDTH: f64 = 0.2;
 
@@ -147,4 +147,21 @@ fn rails_arrive_at_a_mitre_together() {
     assert!(mesh.sharp_corners.is_empty());
     assert_eq!(euler_number(&mesh), 2);
     assert_eq!(rounded_top(false, 0.4).report.sharp_edges.len(), 4);
+}
+
+/// Blends around the foot of a block meet in its upright edges, which go on to where rails cross on the floor.
+#[test]
+fn edges_of_a_block_go_on_to_the_floor_between_blends() {
+    let foot = (0..4).map(|i| [4 + i, 4 + (i + 1) % 4]).collect();
+    let mesh = rounded(&block_on_floor(), foot);
+    let from_axis = |[x, y, z]: [f64; 3]| (x.abs().max(y.abs()) - 1.0 - WIDTH).hypot(z - WIDTH);
+    for v in &mesh.free {
+        assert_near!(from_axis(mesh.positions[*v as usize]), WIDTH, 2e-3 * WIDTH);
+    }
+    assert_eq!(mesh.report.sharp_edges.len(), 4);
+    for v in mesh.report.sharp_edges.iter().flat_map(|edge| &edge.vertices) {
+        let p = mesh.positions[*v as usize];
+        assert_near!(p[0].abs(), p[1].abs(), 1e-12);
+        assert_near!(from_axis(p), WIDTH, 1e-12);
+    }
 }
