@@ -50,6 +50,8 @@ pub(super) struct Bands {
     on_rims: Vec<u32>,
     /// Per vertex how long edges are to be there.
     lengths: Vec<f64>,
+    /// About how many vertices there are to be.
+    expected: f64,
     angle: f64,
     chains: Vec<CreaseChain>,
     sharp_corners: Vec<SharpCorner>,
@@ -112,6 +114,7 @@ impl Bands {
             arcs,
             on_rims: all.clone().filter(|v| is_on_rim[*v as usize]).collect(),
             lengths: all.map(|v| cut.wanted(v).unwrap_or(0.0)).collect(),
+            expected: expected(cut, &normals.graph.chains),
             angle: normals.graph.least,
             chains: normals
                 .graph
@@ -311,6 +314,7 @@ impl PartedBands {
         } = self;
         let options = RemeshOptions {
             coincident: Coincident::Separate,
+            max_vertices: (MOST * (bands.expected + 1.0)) as usize,
             ..RemeshOptions::default()
         };
         let lengths = Lengths {
@@ -387,6 +391,12 @@ impl PartedBands {
     }
 }
 
+/// About how many vertices the blends of the chains chosen have.
+fn expected(cut: &Cut<'_>, chains: &[Chain]) -> f64 {
+    let chosen = (0..chains.len()).filter(|&c| chains[c].is_chosen);
+    chosen.map(|c| cut.level.vertices(c)).sum()
+}
+
 /// In other numbers; `None` where a vertex has none.
 fn renumbered(arc: &GivenCrease, new: &impl Fn(u32) -> Option<u32>) -> Option<GivenCrease> {
     let all = |of: &[u32]| of.iter().map(|&v| new(v)).collect::<Option<Vec<u32>>>();
@@ -399,6 +409,9 @@ fn renumbered(arc: &GivenCrease, new: &impl Fn(u32) -> Option<u32>) -> Option<Gi
     Some(arc)
 }
 
+/// Bands have at most so many times the vertices that are expected: more come of edges without length. Of 50 runs with solids cut from each other, boxes and wedges
+/// most have 1.4 times as many and none has more than 2.4; half or double changes nothing there.
+const MOST: f64 = 10.0;
 /// Times that bands are triangulated once more.
 const AGAIN: usize = 2;
 
