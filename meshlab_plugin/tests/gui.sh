@@ -128,7 +128,7 @@ logged 1 'Filter failed: Parameter max_iterations is 0'
 button 1 22 # Close
 sleep 1
 # The first of them in the menu.
-entry=237
+entry=212
 for name in 'Bridge Boundaries' 'Close Holes' 'Erase and Fill'; do
     menu
     xdotool mousemove 612 $entry click 1
