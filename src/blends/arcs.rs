@@ -11,16 +11,12 @@
 
 use nalgebra::Vector3;
 
+use super::chain_curve::FLATTEST;
 use super::cut::Cut;
 use super::face_normals::FaceNormals;
 use super::legs::{Leg, Sense, Way, outgoing};
 use super::surface::between;
 use crate::fairing::{CreaseEnd, CreasePoint, GivenCrease};
-
-/// Faces that bend by less (radians) have a line between rails.
-const FLAT: f64 = 1e-6;
-/// Tangents are differences over so much of a turn, to both sides.
-const STEP: f64 = 1e-4;
 
 /// From rail to rail: vertices and where they are to lie. The blend is on the left, and the face across on the right.
 pub(super) type Arc = Vec<(u32, CreasePoint)>;
@@ -54,28 +50,28 @@ pub(super) fn arc(cut: &Cut<'_>, legs: [&Leg; 2], normals: &FaceNormals<'_>) -> 
     }
     let corner = legs[0].vertices[0].1;
     let length = legs[0].length() + legs[1].length();
-    // How much of both turns is left.
-    let left = |done: f64| match legs[1].aside {
-        Some(_) => [1.0 - done, turns[1].left(turns[0].factor(1.0 - done))],
-        None => [1.0 - done; 2],
-    };
-    let place = |done: f64| {
-        let left = left(done);
-        let [b, other] = [0, 1].map(|side| turns[side].factor(1.0 - left[side]));
-        let aside = legs[1]
-            .aside
-            .map_or(Vector3::zeros(), |aside| aside * (other - b));
-        corner + legs[0].at(turns[0].factor(left[0])) + legs[1].at(b) + aside
-    };
     let point = |(v, along): (u32, f64)| {
-        let done = along / length;
-        let (tangent, left) = (place(done + STEP) - place(done - STEP), left(done));
+        let left = 1.0 - along / length;
+        let a = turns[0].factor(left);
+        // Both cylinders of a mitre are at the same a.
+        let left = match legs[1].aside {
+            Some(_) => [left, turns[1].part(a)],
+            None => [left; 2],
+        };
+        let [b, other] = [0, 1].map(|side| turns[side].factor(1.0 - left[side]));
+        let ([to_q, along_q], [to_p, along_p]) = (legs[0].at(a), legs[1].at(b));
+        let aside = legs[1].aside.unwrap_or_default();
+        // How b and the other b change with a, times the sine of what is left.
+        let sines = turns[0].sine(left[0]);
+        let by = turns[0].sine(1.0 - left[0]);
+        let by_other = turns[1].sine(1.0 - left[1]) * turns[0].over(left[0], &turns[1], left[1]);
+        let tangent = along_q * sines - along_p * by + aside * (by - by_other);
         let [blend, across] = [0, 1].map(|side| {
             let normal = turns[side].normal(1.0 - left[side]);
             normal - tangent * (normal.dot(&tangent) / tangent.norm_squared())
         });
         let point = CreasePoint {
-            place: place(done),
+            place: corner + to_q + to_p + aside * (other - b),
             normals: [blend.try_normalize(0.0)?, across.try_normalize(0.0)?],
         };
         Some((v, point))
@@ -103,7 +99,7 @@ impl Turn {
     fn new(from: Vector3<f64>, to: Vector3<f64>) -> Self {
         Self {
             normals: [from, to],
-            angle: between(&from, &to).max(FLAT),
+            angle: between(&from, &to).max(FLATTEST),
         }
     }
 
@@ -112,15 +108,24 @@ impl Turn {
         (libm::sin(0.5 * part * self.angle) / libm::sin(0.5 * self.angle)).powi(2)
     }
 
-    /// How much of the turn is left where the factor `a` is this.
-    fn left(&self, factor: f64) -> f64 {
-        2.0 * libm::asin((factor.max(0.0).sqrt() * libm::sin(0.5 * self.angle)).min(1.0)) / self.angle
+    /// The part at which this is the factor.
+    fn part(&self, factor: f64) -> f64 {
+        2.0 * libm::asin((factor.sqrt() * libm::sin(0.5 * self.angle)).min(1.0)) / self.angle
+    }
+
+    fn sine(&self, part: f64) -> f64 {
+        libm::sin(part * self.angle)
+    }
+
+    /// The sine of a part of this turn over that of a part of another one, where both have the same factor, which may be zero.
+    fn over(&self, part: f64, other: &Self, of_other: f64) -> f64 {
+        let half = |turn: &Self, part: f64| libm::sin(0.5 * turn.angle) * libm::cos(0.5 * part * turn.angle);
+        half(self, part) / half(other, of_other)
     }
 
     /// The normal where so much of it is done, of any length.
     fn normal(&self, done: f64) -> Vector3<f64> {
-        let at = |part: f64| libm::sin(part * self.angle);
-        self.normals[0] * at(1.0 - done) + self.normals[1] * at(done)
+        self.normals[0] * self.sine(1.0 - done) + self.normals[1] * self.sine(done)
     }
 }
 

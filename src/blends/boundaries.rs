@@ -11,6 +11,9 @@ use super::crease_graph::CreaseGraph;
 use super::surface::Surface;
 use crate::mesh::halfedge::previous;
 
+/// A boundary on which a crease ends is its own for so many widths: its band ends there.
+const OWN: f64 = 2.0;
+
 /// An edge of the boundary, by its half-edge.
 type Edge = GeomWithData<Line<[f64; 3]>, u32>;
 
@@ -33,7 +36,7 @@ impl Boundaries {
         for (number, chain) in chosen {
             for v in chain.ends(surface) {
                 for way in [Way::On, Way::Back] {
-                    let edges = straight_on(surface, v, way, 2.0 * widest);
+                    let edges = straight_on(surface, v, way, OWN * widest);
                     own.extend(edges.into_iter().map(|h| (h, number)));
                 }
             }
@@ -44,8 +47,7 @@ impl Boundaries {
         }
     }
 
-    /// The distance from a point of a crease to the nearest edge that is not its own and counts, if it is less than `most`. It is told the edge and how to get
-    /// to it.
+    /// The distance from a point of a crease to the nearest edge that is not its own and `counts`, by its half-edge and the way to it, if it is less than `most`.
     pub(super) fn distance(
         &self,
         crease: u32,

@@ -20,7 +20,7 @@ pub(super) struct ChainCurve {
 pub(super) const PER_WIDTH: f64 = 8.0;
 /// What bends less (radians) counts as this much: where nothing bends, a ball touches both sides in one point, and no band would be left.
 /// Half or double, of 25 solids cut from each other: nothing changes.
-const FLATTEST: f64 = 0.1;
+pub(super) const FLATTEST: f64 = 0.1;
 /// Points to each side of one that it is fitted to: half a width.
 const WINDOW: usize = 4;
 /// Points to each side among which the nearest is looked for.

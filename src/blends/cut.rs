@@ -10,8 +10,8 @@ use fairmesh_linear::interrupt::checkpoint;
 const BEYOND: f64 = 8.0;
 /// Steps to where an edge crosses the rail.
 const STEPS: usize = 4;
-/// Vertices are on the rail if they are so near it, of the length wanted there.
-const ON: f64 = 1e-3;
+/// Vertices are on a rail, or on the line of a mitre, if they are so near it, of the length wanted there.
+pub(super) const ON: f64 = 1e-3;
 /// Vertices that are so near to a rail, of the length wanted there, move onto it.
 const SNAP: f64 = 0.3;
 /// What lies in a plane leaves it by at most this, of the length wanted there.

@@ -150,13 +150,13 @@ impl Leg {
         self.vertices[self.vertices.len() - 1].2
     }
 
-    /// From the corner to the point at this part of its length.
-    pub(super) fn at(&self, part: f64) -> Vector3<f64> {
+    /// From the corner to the point at this part of its length, and the derivative by that part.
+    pub(super) fn at(&self, part: f64) -> [Vector3<f64>; 2] {
         let (along, all) = (part * self.length(), &self.vertices);
         let k = all.partition_point(|of| of.2 <= along).clamp(1, all.len() - 1);
         let ((_, p, before), (_, q, behind)) = (all[k - 1], all[k]);
         let slope = (q - p) / (behind - before);
-        p + slope * (along - before) - all[0].1
+        [p + slope * (along - before) - all[0].1, slope * self.length()]
     }
 }
 

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::chain_curve::ChainCurve;
 use super::crease_graph::CreaseGraph;
-use super::cut::Cut;
+use super::cut::{Cut, ON};
 use super::ends::SHARE;
 use super::legs::{Sense, Way, outgoing};
 use super::level::{Entry, Side};
@@ -13,8 +13,6 @@ use super::surface::Surface;
 use super::widths::SLOPE;
 use crate::mesh::halfedge::{next, previous};
 
-/// Vertices are on the line between two bands if they are so near it, of the length wanted there.
-const ON: f64 = 1e-3;
 /// A third crease that goes almost along one that is rounded is none: the sine.
 const LEAST: f64 = 0.1;
 
@@ -155,20 +153,29 @@ fn mitre(surface: &Surface<'_>, graph: &CreaseGraph, at: &Meeting) -> Option<Mit
 /// Cuts along the lines that are as far inside one band as inside the other, from the corners to where rails cross. Where that cannot be done the rest
 /// of the cut stays as it is.
 pub(super) fn trace(cut: &mut Cut<'_>, mitres: &[Mitre]) {
-    let outgoing = outgoing(cut, mitres.iter().map(|of| of.vertex));
-    for of in mitres {
-        let line = of.line(cut);
-        let first = outgoing.get(&of.vertex).copied();
-        // Another one may have taken its number.
-        let mut at = first.filter(|&g| cut.sheet.origin(g) == of.vertex);
-        while let Some(g) = at {
-            let v = cut.sheet.origin(g);
-            cut.set_on_mitre(v);
-            at = match cut.value[v as usize] < 0.0 {
-                true => step(cut, of, line.as_ref(), g),
-                false => None,
-            };
-        }
+    let mut left: Vec<&Mitre> = mitres.iter().collect();
+    while !left.is_empty() {
+        let outgoing = outgoing(cut, left.iter().map(|of| of.vertex));
+        left.retain(|of| match outgoing.get(&of.vertex) {
+            // Another one has taken its number.
+            Some(&g) if cut.sheet.origin(g) != of.vertex => true,
+            Some(&g) => {
+                trace_one(cut, of, g);
+                false
+            }
+            None => false,
+        });
+    }
+}
+
+fn trace_one(cut: &mut Cut<'_>, of: &Mitre, first: u32) {
+    let line = of.line(cut);
+    let mut at = Some(first);
+    while let Some(g) = at {
+        let v = cut.sheet.origin(g);
+        cut.set_on_mitre(v);
+        let is_inside = cut.value[v as usize] < 0.0;
+        at = is_inside.then(|| step(cut, of, line.as_ref(), g)).flatten();
     }
 }
 

@@ -33,8 +33,9 @@ use crate::support::error::Error;
 
 /// Rounds the creases of a mesh: in place of each there is a blend, tangent to the faces beside it. Outside of the blends the surface stays
 /// where it is; triangles that reach into one are cut. Where one crease of a corner of three is rounded, and the other two are ridges or grooves both, its
-/// blend runs through to the face across, which then ends in an arc; at the boundary of the mesh it runs out with its profile, and the boundary's corner becomes an arc. Where two creases of such three are rounded, the third one goes on between their blends to where their
-/// rails cross. Elsewhere a blend fades out where its crease ends or no other one is rounded.
+/// blend runs through to the face across, which then ends in an arc; at the boundary of the mesh it runs out with its profile, and the boundary's corner
+/// becomes an arc. Where two creases of such three are rounded, the third one goes on between their blends to where their rails cross. Elsewhere a blend
+/// fades out where its crease ends or no other one is rounded.
 ///
 /// ```
 /// use fairmesh::{RoundOptions, round};
