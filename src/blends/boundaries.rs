@@ -11,9 +11,6 @@ use super::crease_graph::CreaseGraph;
 use super::surface::Surface;
 use crate::mesh::halfedge::previous;
 
-/// A boundary on which a crease ends is its own for so many widths: its band ends there.
-const OWN: f64 = 2.0;
-
 /// An edge of the boundary, by its half-edge.
 type Edge = GeomWithData<Line<[f64; 3]>, u32>;
 
@@ -24,8 +21,7 @@ pub(super) struct Boundaries {
 }
 
 impl Boundaries {
-    /// Of a surface with creases whose bands are no wider than this.
-    pub(super) fn new(surface: &Surface<'_>, graph: &CreaseGraph, widest: f64) -> Self {
+    pub(super) fn new(surface: &Surface<'_>, graph: &CreaseGraph) -> Self {
         let all = (0..surface.half_edges()).filter(|&h| surface.across(h).is_none());
         let line = |h: u32| {
             let ends = [surface.origin(h), surface.target(h)].map(|v| surface.x[v as usize].into());
@@ -36,7 +32,7 @@ impl Boundaries {
         for (number, chain) in chosen {
             for v in chain.ends(surface) {
                 for way in [Way::On, Way::Back] {
-                    let edges = straight_on(surface, v, way, OWN * widest);
+                    let edges = straight_on(surface, v, way);
                     own.extend(edges.into_iter().map(|h| (h, number)));
                 }
             }
@@ -75,18 +71,15 @@ enum Way {
     Back,
 }
 
-/// The edges of the boundary from a vertex, as far as they turn little and are not farther along it than this.
-fn straight_on(surface: &Surface<'_>, v: u32, way: Way, far: f64) -> Vec<u32> {
-    let (mut edges, mut at, mut along) = (Vec::new(), v, 0.0);
-    while let Some(h) = step(surface, at, way)
-        && along < far
-    {
+/// The edges of the boundary from a vertex, as far as they turn little.
+fn straight_on(surface: &Surface<'_>, v: u32, way: Way) -> Vec<u32> {
+    let (mut edges, mut at) = (Vec::new(), v);
+    while let Some(h) = step(surface, at, way) {
         let [first, here] = [edges.first().copied().unwrap_or(h), h].map(|h| surface.edge(h));
         if first.dot(&here) < TURN * first.norm() * here.norm() {
             break;
         }
         edges.push(h);
-        along += here.norm();
         at = match way {
             Way::On => surface.target(h),
             Way::Back => surface.origin(h),

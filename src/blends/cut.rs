@@ -6,8 +6,6 @@ use crate::mesh::NONE;
 use crate::mesh::halfedge::next;
 use fairmesh_linear::interrupt::checkpoint;
 
-/// Curves go straight on for so many widths: at seven degrees a rail meets its crease there.
-const BEYOND: f64 = 8.0;
 /// Steps to where an edge crosses the rail.
 const STEPS: usize = 4;
 /// Vertices are on a rail, or on the line of a mitre, if they are so near it, of the length wanted there.
@@ -100,9 +98,7 @@ impl<'a> Cut<'a> {
             for i in 0..self.near[v as usize].len() {
                 let entry = self.near[v as usize][i];
                 let side = &self.level.sides[entry.side as usize];
-                let is_far = entry.distance > 2.0 * side.widest + length
-                    || self.level.beyond(&entry) > BEYOND * side.widest;
-                if side.face != face || is_far {
+                if side.face != face || entry.distance > 2.0 * side.widest + length {
                     continue;
                 }
                 for h in [3 * t + (k + 1) % 3, 3 * t + (k + 2) % 3] {

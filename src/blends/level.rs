@@ -106,16 +106,6 @@ impl Level {
         }
     }
 
-    /// How far along the curve a place is before its beginning or behind its end.
-    pub(super) fn beyond(&self, entry: &Entry) -> f64 {
-        let curve = &self.curves[self.sides[entry.side as usize].curve as usize];
-        let last = curve.points.len() as f64 - 1.0;
-        match curve.is_closed {
-            true => 0.0,
-            false => (-entry.at).max(entry.at - last).max(0.0) * curve.spacing,
-        }
-    }
-
     /// The value at a point, and the sides near it: those near other points close by.
     pub(super) fn value_at(&self, p: &Vector3<f64>, near: &[Entry], entries: &mut Vec<Entry>) -> f64 {
         entries.clear();

@@ -13,7 +13,7 @@ use super::surface::Surface;
 use super::widths::SLOPE;
 use crate::mesh::halfedge::{next, previous};
 
-/// A third crease that goes almost along one that is rounded is none: the sine.
+/// A third crease that goes almost along one that is rounded is none: the sine. Half or double: of 25 convex solids with one face rounded one more converges loosely.
 const LEAST: f64 = 0.1;
 
 /// A corner of three creases, two of which are rounded and bend the same way.

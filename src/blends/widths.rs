@@ -72,8 +72,7 @@ impl Widths {
                 .filter_map(|of| Some(((of.at.chain, of.at.end), of.face?)))
                 .collect(),
         };
-        let widest = self.0.iter().flatten().copied().fold(0.0, f64::max);
-        let boundaries = Boundaries::new(surface, graph, widest);
+        let boundaries = Boundaries::new(surface, graph);
         let mut least = vec![(1.0, Vector3::zeros()); curves.len()];
         for (c, chain) in graph
             .chains
