@@ -200,9 +200,12 @@ fn cut_out<'l>(
 
 /// More points of curves than this are a slip of the width: each has about three vertices of a blend beside it.
 const MOST_POINTS: f64 = 1e6;
+/// Widths below this part of the mesh's extent are lost in the rounding of its coordinates. A cube beside a triangle that is far away is rounded alike
+/// down to 2e-13, splits edges without end at 2e-15, and bands may be narrowed to a tenth; half or double changes nothing.
+const FINEST: f64 = 1e-11;
 
 /// # Errors
-/// [`Error::NoCrease`] if none is rounded, [`Error::BadOption`] for a width that would take vertices without number.
+/// [`Error::NoCrease`] if none is rounded, [`Error::BadOption`] for a width that would take vertices without number or that coordinates do not tell.
 fn check_size(surface: &Surface<'_>, graph: &CreaseGraph, options: &RoundOptions) -> Result<(), Error> {
     let chosen = || graph.chains.iter().filter(|chain| chain.is_chosen);
     if chosen().next().is_none() {
@@ -214,7 +217,9 @@ fn check_size(surface: &Surface<'_>, graph: &CreaseGraph, options: &RoundOptions
     };
     let length: f64 = chosen().map(|chain| chain.length(surface)).sum();
     let is_enough = PER_WIDTH * length <= MOST_POINTS * width;
-    Error::check_option(name, width, is_enough, "larger, for creases as long as these")
+    Error::check_option(name, width, is_enough, "larger, for creases as long as these")?;
+    let is_told = width >= FINEST * surface.extent();
+    Error::check_option(name, width, is_told, "larger, for a mesh as large as this")
 }
 
 /// # Errors

@@ -52,6 +52,12 @@ impl<'a> Surface<'a> {
         self.x[self.target(h) as usize] - self.x[self.origin(h) as usize]
     }
 
+    /// How far from the centre its vertices are at most, along an axis.
+    pub(super) fn extent(&self) -> f64 {
+        let used = (0..self.half_edges()).map(|h| self.x[self.origin(h) as usize].amax());
+        used.fold(0.0, f64::max)
+    }
+
     /// How many edges of the boundary start at a vertex: none inside, and one where the surface hangs together there.
     pub(super) fn boundary_edges(&self, v: u32) -> usize {
         let around = self.links.outgoing.row(v as usize).iter();

@@ -267,6 +267,34 @@ fn widths_that_cannot_be_are_refused() {
     assert_eq!(round(&cube.0, &cube.1, &concave).unwrap_err(), Error::NoCrease);
 }
 
+/// The cube beside a triangle that is far away: found by fuzzing, coordinates did not tell the width, and edges were halved without end.
+#[test]
+fn a_width_that_coordinates_do_not_tell_is_refused() {
+    let beside = |far: f64| {
+        let (mut positions, mut triangles) = cube();
+        positions.extend([[far; 3], [far + 1.0, far, far], [far, far + 1.0, far]]);
+        triangles.push([8, 9, 10]);
+        rounded_or_refused(&positions, &triangles)
+    };
+    assert!(beside(1e9).unwrap().report.outcome.is_success());
+    for far in [1e11, 1e13, 1e14] {
+        match beside(far) {
+            Err(Error::BadOption { name, range, .. }) => {
+                assert_eq!((name, range), ("width", "larger, for a mesh as large as this"));
+            }
+            other => panic!("{far}: {other:?}"),
+        }
+    }
+}
+
+fn rounded_or_refused(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Rounded, Error> {
+    let options = RoundOptions {
+        width: 0.2,
+        ..RoundOptions::default()
+    };
+    round(positions, triangles, &options)
+}
+
 /// A pyramid, and three of the four edges at its apex are rounded; the fourth one arrives there, and ends: that is told, by its vertex.
 #[test]
 fn a_crease_that_is_not_rounded_and_arrives_at_a_blend_is_told() {
