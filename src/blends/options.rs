@@ -34,6 +34,8 @@ options! {
         width: f64 = 0.0, real "length" in 0.0..=f64::MAX, "finite and at least 0";
         /// The radius of the ball that touches both sides where the blend begins, in place of `width`. 0 (default): the width holds.
         radius: f64 = 0.0, real "length" in 0.0..=f64::MAX, "finite and at least 0";
+        /// How many times as far as at its beginning the blend of a chain that is not closed reaches at its end; in between that changes evenly. A chain begins with the first of its `edges`, as it is named; else at the end whose vertex has the smaller number. 1 (default): everywhere alike.
+        taper: f64 = 1.0, real "factor" in 0.01..=100.0, "between 0.01 and 100";
         /// Edges that bend by more than so many degrees are creases. 0 (default): the widest gap between the bends of the mesh tells.
         angle: f64 = 0.0, real "degrees" in 0.0..=180.0, "between 0 and 180";
         /// Which creases are rounded. Default: all.

@@ -276,15 +276,15 @@ fn level(surface: &Surface<'_>, graph: &CreaseGraph, endings: &Endings, options:
         curves[of.chain].goes_on[of.end] = true;
     }
     let (corners, angles) = corners(surface, graph, &mitred);
-    let mut widths = Widths::asked(&curves, options);
+    let mut widths = Widths::asked(surface, graph, &curves, options);
     let least = widths.fit(surface, graph, &curves, (&angles, through));
     widths.fade(surface, graph, &curves, through);
     let mut sides = Vec::new();
     let side = |face: u32, curve: usize| Side {
         face,
         curve: curve as u32,
-        widest: widths.0[curve].iter().copied().fold(0.0, f64::max),
-        widths: widths.0[curve].clone(),
+        widest: widths.at[curve].iter().copied().fold(0.0, f64::max),
+        widths: widths.at[curve].clone(),
         with: [None; 2],
     };
     for (number, chain) in graph.chains.iter().enumerate() {

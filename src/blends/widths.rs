@@ -8,7 +8,7 @@ use rstar::primitives::GeomWithData;
 
 use super::boundaries::Boundaries;
 use super::chain_curve::ChainCurve;
-use super::crease_graph::CreaseGraph;
+use super::crease_graph::{Chain, CreaseGraph};
 use super::ends::{Ends, SHARE};
 use super::options::RoundOptions;
 use super::surface::Surface;
@@ -29,24 +29,77 @@ pub(super) const SLOPE: f64 = 0.25;
 const BEFORE: f64 = 0.25;
 
 /// Per chain and point of its curve; negative where a band has ended.
-pub(super) struct Widths(pub(super) Vec<Vec<f64>>);
+pub(super) struct Widths {
+    pub(super) at: Vec<Vec<f64>>,
+    /// Per chain how much they change per length, as asked.
+    slopes: Vec<f64>,
+}
+
+/// Where chains begin: with the first of its edges that is named, as it is named, or else at the end with the smaller number.
+struct Beginnings(BTreeMap<[u32; 2], usize>);
+
+impl Beginnings {
+    fn new(edges: &[[u32; 2]]) -> Self {
+        // Of edges that are named twice the first one holds.
+        Self((0..edges.len()).rev().map(|i| (edges[i], i)).collect())
+    }
+
+    /// Whether a chain that is not closed begins at its last vertex.
+    fn is_last(&self, chain: &Chain, surface: &Surface<'_>) -> bool {
+        let [first, last] = chain.ends(surface);
+        let both_ways = chain.half_edges.iter().flat_map(|&h| {
+            let [a, b] = [surface.origin(h), surface.target(h)];
+            [([a, b], false), ([b, a], true)]
+        });
+        let named = both_ways.filter_map(|(edge, is_backward)| Some((self.0.get(&edge)?, is_backward)));
+        named.min().map_or(last < first, |(_, is_backward)| is_backward)
+    }
+}
 
 /// A point of a curve: the chain, and its number there.
 type Sample = GeomWithData<[f64; 3], (u32, u32)>;
 
 impl Widths {
     /// What is asked.
-    pub(super) fn asked(curves: &[ChainCurve], options: &RoundOptions) -> Self {
+    pub(super) fn asked(
+        surface: &Surface<'_>,
+        graph: &CreaseGraph,
+        curves: &[ChainCurve],
+        options: &RoundOptions,
+    ) -> Self {
         let at = |&bend: &f64| match options.radius > 0.0 {
             true => options.radius * libm::tan(0.5 * bend),
             false => options.width,
         };
-        Self(
-            curves
+        let mut widths = Self {
+            at: curves
                 .iter()
                 .map(|curve| curve.bends.iter().map(at).collect())
                 .collect(),
-        )
+            slopes: vec![0.0; curves.len()],
+        };
+        let begins = Beginnings::new(&options.edges);
+        for (c, chain) in (0..).zip(&graph.chains).filter(|(_, chain)| !chain.is_closed) {
+            widths.taper(
+                c,
+                options.taper,
+                begins.is_last(chain, surface),
+                chain.length(surface),
+            );
+        }
+        widths
+    }
+
+    /// Lets the widths of a chain change evenly, by this factor from its beginning, which may be its last vertex, to its end.
+    fn taper(&mut self, c: usize, factor: f64, is_backward: bool, length: f64) {
+        let widths = &mut self.at[c];
+        let last = widths.len() - 1;
+        for (i, width) in widths.iter_mut().enumerate() {
+            let steps = if is_backward { last - i } else { i };
+            let before = *width;
+            *width *= 1.0 + (factor - 1.0) * steps as f64 / last as f64;
+            self.slopes[c] = self.slopes[c].max((factor - 1.0).abs() * before / length);
+        }
     }
 
     /// Narrows them where bands would meet. Per curve the least part of the width that there is room for, and where that is.
@@ -87,7 +140,7 @@ impl Widths {
             } else {
                 f64::INFINITY
             };
-            for (i, width) in self.0[c].iter_mut().enumerate() {
+            for (i, width) in self.at[c].iter_mut().enumerate() {
                 let fits = longest
                     .min(SHARE * room.at(c, i, *width / SHARE))
                     .min(ALONG * room.before(&boundaries, c, i, *width / ALONG));
@@ -112,7 +165,7 @@ impl Widths {
                 .enumerate()
                 .filter(|(_, chain)| chain.is_chosen)
             {
-                let (widths, step) = (&mut self.0[c], SLOPE * curves[c].spacing);
+                let (widths, step) = (&mut self.at[c], (SLOPE + self.slopes[c]) * curves[c].spacing);
                 let (last, ends) = (widths.len() - 1, chain.ends(surface).map(|v| v as usize));
                 if !chain.is_closed {
                     widths[0] = widths[0].min(at_vertex[ends[0]]);
@@ -148,7 +201,7 @@ impl Widths {
         through: &[Through],
     ) {
         let ends = Ends::new(surface, graph);
-        for ((widths, chain), curve) in self.0.iter_mut().zip(&graph.chains).zip(curves) {
+        for ((widths, chain), curve) in self.at.iter_mut().zip(&graph.chains).zip(curves) {
             let slopes = ends.slopes(chain, through);
             let begins = [0, widths.len() - 1].map(|i| BEFORE * widths[i]);
             for (i, width) in widths.iter_mut().enumerate() {

@@ -165,3 +165,42 @@ fn edges_of_a_block_go_on_to_the_floor_between_blends() {
         assert_near!(from_axis(p), WIDTH, 1e-12);
     }
 }
+
+/// How far the rails of a blend are from where they should be, which is as far from the y axis as `width` says of y.
+fn off_rails(mesh: &Rounded, width: impl Fn(f64) -> f64) -> f64 {
+    let of_blend = mesh.triangles[mesh.kept_triangles.len()..].iter().flatten();
+    let of_rails = of_blend.filter(|v| mesh.free.binary_search(v).is_err());
+    let off = of_rails.map(|v| {
+        let [x, y, z] = mesh.positions[*v as usize];
+        assert_below!(x.min(z).abs(), 1e-12);
+        (x.max(z) - width(y)).abs()
+    });
+    off.fold(0.0, f64::max)
+}
+
+#[test]
+fn widths_change_evenly_from_where_a_chain_begins() {
+    let sheet = folded_sheet(1.0, 0.0);
+    let tapered = |edges: &[[u32; 2]], taper: f64| {
+        let options = RoundOptions {
+            width: 0.1,
+            taper,
+            edges: edges.to_vec(),
+            ..RoundOptions::default()
+        };
+        let mesh = round(&sheet.0, &sheet.1, &options).unwrap();
+        assert_eq!(mesh.report.outcome, Outcome::Converged);
+        mesh
+    };
+    let (rising, falling) = (|y: f64| 0.1 + 0.1 * y, |y: f64| 0.3 - 0.1 * y);
+    assert_below!(off_rails(&tapered(&[], 3.0), rising), 1e-6);
+    assert_below!(off_rails(&tapered(&[[1, 4], [4, 7]], 3.0), rising), 1e-6);
+    assert_below!(off_rails(&tapered(&[[7, 4], [1, 4]], 3.0), falling), 1e-6);
+    assert_below!(off_rails(&tapered(&[[4, 1], [4, 7]], 3.0), falling), 1e-6);
+    // As steep as that nothing else makes widths change.
+    assert_below!(off_rails(&tapered(&[], 8.0), |y| 0.1 + 0.35 * y), 1e-6);
+    assert_eq!(
+        tapered(&[], 1.0).positions,
+        tapered(&[[7, 4], [4, 1]], 1.0).positions
+    );
+}
