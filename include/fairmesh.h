@@ -2122,6 +2122,10 @@ typedef struct fairmesh_round_options {
      */
     double radius;
     /**
+     * How many times as far as at its beginning the blend of a chain that is not closed reaches at its end; in between that changes evenly. A chain begins with the first of its `edges`, as it is named; else at the end whose vertex has the smaller number. 1 (default): everywhere alike.
+     */
+    double taper;
+    /**
      * Edges that bend by more than so many degrees are creases. 0 (default): the widest gap between the bends of the mesh tells.
      */
     double angle;
@@ -2129,6 +2133,10 @@ typedef struct fairmesh_round_options {
      * Edges that are rounded, and no others: pairs of vertices; they are creases however little they bend. Default: none, all creases are. Two indices side by side.
      */
     struct fairmesh_indices edges;
+    /**
+     * Blends that would have more vertices than about so many are refused: a slip of the width, most likely. Default 1000000.
+     */
+    uint64_t max_vertices;
     /**
      * Labels of all triangles, one for each, as the numbers of their materials: lines between labels stay where they are, inside flat faces, too. Default: none, all have the same.
      */

@@ -213,6 +213,7 @@ void add_bridge_parameters(RichParameterList &list) {
 void add_round_parameters(RichParameterList &list) {
     list.addParam(RichFloat("width", 0, "Width", "How far blends reach from the edge, on both sides. 0: the radius says it."));
     list.addParam(RichFloat("radius", 0, "Radius", "Of a ball that touches both sides where the blend begins. 0: the width says it."));
+    list.addParam(RichFloat("taper", 1, "Taper", "So many times as large at one end of the edges as at the other. 1: alike."));
     list.addParam(RichEnum("creases", static_cast<int>(Rounded::All), {"All", "That stand out", "In folds", "Selected edges"},
                            "Sharp edges", "Which are rounded. Selected ones: as by 'Select Crease Edges'."));
     list.addParam(RichFloat("continuity", 0, "Match curvature", "0: tangent to the faces beside. 1: as curved as they are."));
@@ -281,6 +282,7 @@ RoundParameters read_round_parameters(const RichParameterList &list) {
     asked.how.width = not_negative(list, "width");
     asked.how.radius = not_negative(list, "radius");
     if ((asked.how.width > 0) == (asked.how.radius > 0)) throw Failure("Give a width or a radius.");
+    asked.how.taper = list.getFloat("taper");
     asked.how.angle = not_negative(list, "angle");
     asked.options.continuity = list.getFloat("continuity");
     asked.which = static_cast<Rounded>(in_list(list, "creases", 4));

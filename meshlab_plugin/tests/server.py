@@ -53,6 +53,7 @@ PARAMETERS = {
     ROUND: {
         "width": ("RichFloat", 0),
         "radius": ("RichFloat", 0),
+        "taper": ("RichFloat", 1),
         "creases": ("RichEnum", 0, 4),
         "continuity": ("RichFloat", 0),
         "angle": ("RichFloat", 0),

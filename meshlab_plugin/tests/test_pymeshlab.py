@@ -601,6 +601,15 @@ class Rounded(Case):
         ms.apply_filter("compute_selection_crease_per_edge")
         self.assertEqual(ms.apply_filter(ROUND, width=0.2, creases="Selected edges")["rounded"], 12)
 
+    def test_one_end_is_larger_than_the_other(self):
+        vertices, faces = meshes.centred_cube(2)
+        # An open tray: the rim's corners are the ends of upright edges.
+        ms = mesh_set(vertices, faces[(vertices[faces][:, :, 2] < 0.999).any(axis=1) & (vertices[faces][:, :, 2] > -0.999).any(axis=1)])
+        self.assertTrue(ms.apply_filter(ROUND, width=0.2, taper=2)["converged"])
+        points = ms.current_mesh().vertex_matrix()
+        ends = [np.linalg.norm(points[np.abs(points[:, 2] - z) < 1e-6] - (1, 1, z), axis=1).min() for z in (-1, 1)]
+        np.testing.assert_allclose(np.sort(ends), (np.sqrt(2) - 1) * 0.2 * np.array((1, 2)), rtol=0.02)
+
     def test_what_faces_carry_goes_on(self):
         vertices, faces = meshes.centred_cube(4)
         corners = vertices[faces]

@@ -114,7 +114,7 @@ impl Bands {
             arcs,
             on_rims: all.clone().filter(|v| is_on_rim[*v as usize]).collect(),
             lengths: all.map(|v| cut.wanted(v).unwrap_or(0.0)).collect(),
-            expected: expected(cut, &normals.graph.chains),
+            expected: cut.level.vertices(&normals.graph.chains),
             angle: normals.graph.least,
             chains: normals
                 .graph
@@ -389,12 +389,6 @@ impl PartedBands {
         };
         Ok(result.compacted())
     }
-}
-
-/// About how many vertices the blends of the chains chosen have.
-fn expected(cut: &Cut<'_>, chains: &[Chain]) -> f64 {
-    let chosen = (0..chains.len()).filter(|&c| chains[c].is_chosen);
-    chosen.map(|c| cut.level.vertices(c)).sum()
 }
 
 /// In other numbers; `None` where a vertex has none.

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::chain_curve::ChainCurve;
+use super::crease_graph::Chain;
 
 /// Edges across a blend, at least.
 const PARTS: f64 = 6.0;
@@ -131,8 +132,14 @@ impl Level {
         width * bend / libm::tan(0.5 * bend) / PARTS.max(bend / TURN)
     }
 
-    /// About how many vertices the blend along a curve has: rows across at each of its points.
-    pub(super) fn vertices(&self, curve: usize) -> f64 {
+    /// About how many vertices the blends of the chains chosen have.
+    pub(super) fn vertices(&self, chains: &[Chain]) -> f64 {
+        let chosen = (0..chains.len()).filter(|&c| chains[c].is_chosen);
+        chosen.map(|c| self.vertices_along(c)).sum()
+    }
+
+    /// About how many the blend along a curve has: rows across at each of its points.
+    fn vertices_along(&self, curve: usize) -> f64 {
         let (side, curve) = (&self.sides[2 * curve], &self.curves[curve]);
         let rows = |bend: f64| PARTS.max(bend / TURN);
         let at = |(width, bend): (&f64, &f64)| {

@@ -96,8 +96,9 @@ pub fn blend_vertices(
     let graph = CreaseGraph::new(&surface, &named_edges(&joined.copies, &surface, options)?);
     check_size(&surface, &graph, options)?;
     let level = level(&surface, &graph, &Endings::new(&surface, &graph), options);
-    let chosen = (0..graph.chains.len()).filter(|&c| graph.chains[c].is_chosen);
-    Ok(chosen.map(|c| level.vertices(c)).sum::<f64>() as usize)
+    let expected = level.vertices(&graph.chains);
+    check_count(expected, options)?;
+    Ok(expected as usize)
 }
 
 /// The creases of a mesh, as [`round`] finds them, with those that it would round; and the angle in degrees that edges of creases bend by more than.
@@ -135,6 +136,7 @@ fn rounded(
     loop {
         let endings = Endings::new(&surface, &graph);
         let level = level(&surface, &graph, &endings, options);
+        check_count(level.vertices(&graph.chains), options)?;
         let cut = cut_out(
             (&surface, &joined.triangles),
             (&graph, &options.labels),
@@ -198,14 +200,12 @@ fn cut_out<'l>(
     cut
 }
 
-/// More points of curves than this are a slip of the width: each has about three vertices of a blend beside it.
-const MOST_POINTS: f64 = 1e6;
 /// Widths below this part of the mesh's extent are lost in the rounding of its coordinates. A cube beside a triangle that is far away is rounded alike
 /// down to 2e-13, splits edges without end at 2e-15, and bands may be narrowed to a tenth; half or double changes nothing.
 const FINEST: f64 = 1e-11;
 
 /// # Errors
-/// [`Error::NoCrease`] if none is rounded, [`Error::BadOption`] for a width that would take vertices without number or that coordinates do not tell.
+/// [`Error::NoCrease`] if none is rounded, [`Error::BadOption`] for a width that would take too many vertices or that coordinates do not tell.
 fn check_size(surface: &Surface<'_>, graph: &CreaseGraph, options: &RoundOptions) -> Result<(), Error> {
     let chosen = || graph.chains.iter().filter(|chain| chain.is_chosen);
     if chosen().next().is_none() {
@@ -216,10 +216,18 @@ fn check_size(surface: &Surface<'_>, graph: &CreaseGraph, options: &RoundOptions
         false => ("width", options.width),
     };
     let length: f64 = chosen().map(|chain| chain.length(surface)).sum();
-    let is_enough = PER_WIDTH * length <= MOST_POINTS * width;
-    Error::check_option(name, width, is_enough, "larger, for creases as long as these")?;
     let is_told = width >= FINEST * surface.extent();
-    Error::check_option(name, width, is_told, "larger, for a mesh as large as this")
+    Error::check_option(name, width, is_told, "larger, for a mesh as large as this")?;
+    // Of blends with any room for them: at each point of a curve there are a few vertices.
+    check_count(PER_WIDTH * length / width, options)
+}
+
+/// # Errors
+/// [`Error::BadOption`] if blends have more vertices than are wanted.
+fn check_count(vertices: f64, options: &RoundOptions) -> Result<(), Error> {
+    let most = options.max_vertices as f64;
+    let range = "at least the number of vertices that blends of this width need";
+    Error::check_option("max_vertices", most, vertices <= most, range)
 }
 
 /// # Errors

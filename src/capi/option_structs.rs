@@ -278,10 +278,14 @@ pub struct fairmesh_round_options {
     pub width: f64,
     /// The radius of the ball that touches both sides where the blend begins, in place of `width`. 0 (default): the width holds.
     pub radius: f64,
+    /// How many times as far as at its beginning the blend of a chain that is not closed reaches at its end; in between that changes evenly. A chain begins with the first of its `edges`, as it is named; else at the end whose vertex has the smaller number. 1 (default): everywhere alike.
+    pub taper: f64,
     /// Edges that bend by more than so many degrees are creases. 0 (default): the widest gap between the bends of the mesh tells.
     pub angle: f64,
     /// Edges that are rounded, and no others: pairs of vertices; they are creases however little they bend. Default: none, all creases are. Two indices side by side.
     pub edges: fairmesh_indices,
+    /// Blends that would have more vertices than about so many are refused: a slip of the width, most likely. Default 1000000.
+    pub max_vertices: u64,
     /// Labels of all triangles, one for each, as the numbers of their materials: lines between labels stay where they are, inside flat faces, too. Default: none, all have the same.
     pub labels: fairmesh_indices,
 }
@@ -294,15 +298,17 @@ impl fairmesh_round_options {
             creases: fairmesh_creases::All as u32,
             width: 0.0,
             radius: 0.0,
+            taper: 1.0,
             angle: 0.0,
             edges: fairmesh_indices::default(),
+            max_vertices: 1000000,
             labels: fairmesh_indices::default(),
         }
     }
 
     /// Where an option is in this argument.
     pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
-        field_named!(argument, option, Self: creases width radius angle edges labels)
+        field_named!(argument, option, Self: creases width radius taper angle edges max_vertices labels)
     }
 
     /// What needs no arrays and has no values of its own; all else as it is by default.
@@ -310,8 +316,10 @@ impl fairmesh_round_options {
         Ok(RoundOptions {
             width: self.width,
             radius: self.radius,
+            taper: self.taper,
             angle: self.angle,
             creases: chosen(Creases::from_number(self.creases), self.creases, "fairmesh_creases", field!(argument, Self.creases))?,
+            max_vertices: count(self.max_vertices),
             ..RoundOptions::default()
         })
     }

@@ -20,8 +20,8 @@ pub struct CreaseArgs {
     /// they bend; may be given several times
     #[arg(long, value_name = "A,B,...", value_parser = marked_chain, verbatim_doc_comment)]
     edges: Vec<MarkedChain>,
-    /// Only the crease nearest to this place is rounded, from corner to corner; may be given
-    /// several times
+    /// Only the crease nearest to this place is rounded, from corner to corner; it begins at
+    /// the end that is nearer to there. May be given several times
     #[arg(long, value_name = "X,Y,Z", value_parser = place, allow_hyphen_values = true, verbatim_doc_comment)]
     near: Vec<[f64; 3]>,
     #[command(flatten)]
@@ -59,7 +59,11 @@ impl CreaseArgs {
         for place in &self.near {
             let distance = |chain: &&CreaseChain| distance(&geometry.positions, chain, place);
             let nearest = chains.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
-            edges.extend(nearest.into_iter().flat_map(steps));
+            edges.extend(
+                nearest
+                    .into_iter()
+                    .flat_map(|chain| steps_from(&geometry.positions, chain, place)),
+            );
         }
         if !self.region.is_empty() {
             edges.extend(self.in_region(mesh, input, &chains, options)?);
@@ -103,6 +107,19 @@ impl CreaseArgs {
 /// The edges of a crease.
 fn steps(chain: &CreaseChain) -> impl Iterator<Item = [u32; 2]> {
     chain.vertices.windows(2).map(|step| [step[0], step[1]])
+}
+
+/// The same, from the end that is nearer to a place.
+fn steps_from(positions: &[[f64; 3]], chain: &CreaseChain, place: &[f64; 3]) -> Vec<[u32; 2]> {
+    let edges = steps(chain);
+    let away = |v: Option<&u32>| {
+        let to = v.map(|&v| sub(positions[v as usize], *place));
+        to.map(|to| dot(to, to))
+    };
+    match away(chain.vertices.last()) < away(chain.vertices.first()) {
+        true => edges.map(|[a, b]| [b, a]).collect(),
+        false => edges.collect(),
+    }
 }
 
 /// Per vertex the first one at the same place.

@@ -52,6 +52,11 @@ pub struct RoundArgs {
     /// the radius of the blend
     #[arg(long, value_name = "X", group = "size", verbatim_doc_comment)]
     radius: Option<f64>,
+    /// How many times as far as at its beginning a blend reaches at the end of its edges:
+    /// it begins where the first one of --edges does, else at the smaller vertex
+    /// [default: 1]
+    #[arg(long, value_name = "FACTOR", verbatim_doc_comment)]
+    taper: Option<f64>,
     /// Edges that bend by more than so many degrees are creases
     /// [default: by the widest gap between the bends of the mesh]
     #[arg(long, value_name = "DEGREES", verbatim_doc_comment)]
@@ -75,6 +80,9 @@ pub struct RoundArgs {
         verbatim_doc_comment
     )]
     continuity: f64,
+    /// Refuse blends that would have more vertices than about so many [default: 1000000]
+    #[arg(long, value_name = "N", verbatim_doc_comment)]
+    max_vertices: Option<usize>,
     /// Stop when the vertices move less than this part of a blend's diagonal, between
     /// 0 and 1 [default: 1e-8]
     #[arg(long, value_name = "X", verbatim_doc_comment)]
@@ -167,7 +175,10 @@ pub fn run(args: &RoundArgs) -> Result<bool, Failure> {
 
 fn options(args: &RoundArgs, mesh: &MeshFile, output_precision: OutputPrecision) -> RoundOptions {
     let defaults = Options::default();
+    let round = RoundOptions::default();
     RoundOptions {
+        taper: args.taper.unwrap_or(round.taper),
+        max_vertices: args.max_vertices.unwrap_or(round.max_vertices),
         width: args.width.unwrap_or(0.0),
         radius: args.radius.unwrap_or(0.0),
         angle: args.angle.unwrap_or(0.0),
@@ -186,7 +197,7 @@ fn options(args: &RoundArgs, mesh: &MeshFile, output_precision: OutputPrecision)
             coincident: args.mesh.coincident,
             ..defaults
         },
-        ..RoundOptions::default()
+        ..round
     }
 }
 

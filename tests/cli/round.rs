@@ -60,6 +60,8 @@ fn what_cannot_be_rounded_is_refused() {
         (&["--width", "0"], "width"),
         (&[], "--width"),
         (&["--width", "0.2", "--radius", "0.2"], "--radius"),
+        (&["--width", "0.2", "--taper", "0"], "--taper"),
+        (&["--width", "0.2", "--max-vertices", "100"], "--max-vertices"),
     ] {
         let (_, error) = expect(&directory, &[&round[..], flags].concat(), 2);
         assert!(error.contains(said), "{flags:?}: {error}");
@@ -303,6 +305,30 @@ fn creases_are_chosen_by_places_and_regions() {
         told.contains("no edge that bends enough lies between two of these faces"),
         "{told}"
     );
+}
+
+/// The edge between (-1, -1, -1) and (1, -1, -1), from either end.
+#[test]
+fn a_blend_widens_away_from_the_place_by_which_its_crease_is_chosen() {
+    let directory = plain_cube("round-taper");
+    for (near, wide) in [("-0.9,-1,-1", 1.0), ("0.9,-1,-1", -1.0)] {
+        told_of_rounding(&directory, &["--width", "0.2", "--taper", "2", "--near", near], 0);
+        let text = fs::read_to_string(directory.join("out.obj")).unwrap();
+        let numbers = |line: &str| -> Vec<f64> { line.split(' ').map(|x| x.parse().unwrap()).collect() };
+        let points: Vec<Vec<f64>> = text
+            .lines()
+            .filter_map(|line| Some(numbers(line.strip_prefix("v ")?)))
+            .collect();
+        for (end, radius) in [(wide, 0.4), (-wide, 0.2)] {
+            let there = points.iter().filter(|p| p[0] == end);
+            let nearest = there.map(|p| (p[1] + 1.0).hypot(p[2] + 1.0)).fold(9.0, f64::min);
+            let expected = radius * (2_f64.sqrt() - 1.0);
+            assert!(
+                (nearest / expected - 1.0).abs() < 0.02,
+                "{near}, {end}: {nearest}"
+            );
+        }
+    }
 }
 
 #[test]

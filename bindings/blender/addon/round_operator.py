@@ -57,7 +57,7 @@ class MESH_OT_fairmesh_round_edges(Background, RoundOptions, CurvatureOption, bp
             self.tell({"ERROR"}, f"Nothing to be rounded: {bend}; {self.asks}")
             return None
         # The thread reads no properties.
-        length_keyword, continuity = self.length_keyword(), self.continuity
+        size_keywords, continuity = self.size_keywords(), self.continuity
 
         def compute(each, monitor):
             seen, triangles = each.mesh.seen(), each.mesh.triangles
@@ -68,7 +68,7 @@ class MESH_OT_fairmesh_round_edges(Background, RoundOptions, CurvatureOption, bp
                 labels=_labels(each.mesh),
                 continuity=continuity,
                 cancel=monitor,
-                **length_keyword(each.mesh.size),
+                **size_keywords(each.mesh.size),
             )
             return rounded, blend.change(each.mesh, rounded)
 

@@ -25,6 +25,15 @@ class RoundOptions:
         soft_min=1e-3,
         subtype="DISTANCE",
     )
+    taper: FloatProperty(
+        name="Taper",
+        description="How many times as large as at one end of the edges the blend is at the other one. Below 1 the ends are swapped",
+        default=1.0,
+        min=0.01,
+        soft_min=0.2,
+        soft_max=5.0,
+        max=100.0,
+    )
     least_angle: FloatProperty(
         name="Least Angle",
         description="Selected edges that bend by no more than this stay as they are",
@@ -34,12 +43,13 @@ class RoundOptions:
         subtype="ANGLE",
     )
 
-    def length_keyword(self):
+    def size_keywords(self):
         """The size for the library, by the size of the mesh in the scene. The properties are read now."""
-        name, length = self.measured.lower(), self.length
-        return lambda size: {name: length / size}
+        name, length, taper = self.measured.lower(), self.length, self.taper
+        return lambda size: {name: length / size, "taper": taper}
 
     def draw_round(self, layout):
         choice(layout, self, "measured", "Measured By")
         layout.prop(self, "length")
+        layout.prop(self, "taper")
         layout.prop(self, "least_angle")

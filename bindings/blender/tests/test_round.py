@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Round Edges, end to end."""
 
+import math
 import sys
 from pathlib import Path
 
@@ -86,6 +87,17 @@ def test_edges_are_chosen_and_flat_ones_are_not_meant():
     runner.raises(lambda: round_edges(length=WIDTH), "no selected edge with two faces bends")
     select_edges(obj, lambda edge: False)
     assert not round_edges.poll()
+
+
+def test_one_end_is_larger_than_the_other():
+    obj = cube()
+    select_edges(obj, lambda edge: all(v.co.x > 0.99 and v.co.y > 0.99 for v in edge.verts))
+    assert round_edges(length=WIDTH, taper=2.0) == {"FINISHED"}
+    check_closed(obj)
+    points = coordinates(obj)
+    # Arcs are nowhere nearer to the corner than this.
+    ends = [np.linalg.norm(points[np.abs(points[:, 2] - z) < 1e-6] - (1, 1, z), axis=1).min() for z in (-1, 1)]
+    assert np.allclose(np.sort(ends), (math.sqrt(2) - 1) * WIDTH * np.array((1, 2)), rtol=0.02), ends
 
 
 def test_sizes_are_those_of_the_scene():
