@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Writes docs/gallery.md, docs/gallery/*.png and docs/guides/sharp-edges/*.png anew. The scans that it shows come from Debian's libcgal-demo, which is installed
-# where it is missing, and from PyPI's tvb-data (50 MB), into target/gallery.
+# Writes docs/gallery.md, docs/rounding.md, their pictures and docs/guides/sharp-edges/*.png anew. The scans that it shows come from Debian's libcgal-demo, which
+# is installed where it is missing, and from PyPI's tvb-data (50 MB), into target/gallery; so do the programs that round beside fairmesh (Python 3.11).
 #   site/gallery.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -24,3 +24,6 @@ if [ ! -e $skull ]; then
 fi
 python3 site/gallery.py "${CARGO_TARGET_DIR:-target}/release/fairmesh" $scans
 python3 site/sharp_edges.py "${CARGO_TARGET_DIR:-target}/release/fairmesh" $scans/data/meshes
+python3 -m venv target/gallery/peers
+target/gallery/peers/bin/pip install -q --disable-pip-version-check bpy==5.0.1 manifold3d==3.5.4 meshlib==3.1.4.297 numpy==1.26.4 pillow==13.0.0
+target/gallery/peers/bin/python site/rounding.py "${CARGO_TARGET_DIR:-target}/release/fairmesh"

@@ -43,7 +43,8 @@ impl Boundaries {
         }
     }
 
-    /// The distance from a point of a crease to the nearest edge that is not its own and `counts`, by its half-edge and the way to it, if it is less than `most`.
+    /// The distance from a point of a crease to the nearest edge that is not its own and `counts`, by its half-edge and the way to it; infinite if none is
+    /// nearer than `most`.
     pub(super) fn distance(
         &self,
         crease: u32,
@@ -60,7 +61,7 @@ impl Boundaries {
             )
         });
         let counting = ways.filter(|(h, to)| counts(*h, to)).map(|(_, to)| to.norm());
-        counting.fold(most, f64::min)
+        counting.fold(f64::INFINITY, f64::min)
     }
 }
 

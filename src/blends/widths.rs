@@ -226,7 +226,7 @@ struct Room<'a> {
 
 impl Room<'_> {
     /// The distance from a point of a curve over either face beside it, or that across from its end, to the next crease of the face that does not meet
-    /// this one, if it is less than `most`.
+    /// this one; infinite if none is nearer than `most`.
     fn at(&self, c: usize, i: usize, most: f64) -> f64 {
         let (chain, curve) = (&self.graph.chains[c], &self.curves[c]);
         let p = curve.points[i];
@@ -237,7 +237,7 @@ impl Room<'_> {
             _ if i + 1 == curve.points.len() => self.across.get(&(c, 1)),
             _ => None,
         };
-        let mut nearest = most;
+        let mut nearest = f64::INFINITY;
         for sample in self.tree.locate_within_distance(p.into(), most * most) {
             let (d, j) = (sample.data.0 as usize, sample.data.1 as usize);
             let to = Vector3::from(*sample.geom()) - p;
@@ -260,7 +260,7 @@ impl Room<'_> {
         nearest
     }
 
-    /// The distance over either face beside it to the boundary, if it is less than `most`, but for where the chain ends.
+    /// The distance over either face beside it to the boundary, but for where the chain ends; infinite if it is no nearer than `most`.
     fn before(&self, boundaries: &Boundaries, c: usize, i: usize, most: f64) -> f64 {
         let faces = self.graph.beside(&self.graph.chains[c], self.surface);
         let inward = self.inward(c, i);

@@ -190,6 +190,7 @@ fn widths_change_evenly_from_where_a_chain_begins() {
         };
         let mesh = round(&sheet.0, &sheet.1, &options).unwrap();
         assert_eq!(mesh.report.outcome, Outcome::Converged);
+        assert_eq!(mesh.chains[0].narrowed, None);
         mesh
     };
     let (rising, falling) = (|y: f64| 0.1 + 0.1 * y, |y: f64| 0.3 - 0.1 * y);
