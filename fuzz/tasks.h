@@ -59,10 +59,10 @@ static inline fairmesh_error *anew(Run *run) {
 }
 
 /* The bytes of positions that lie side by side, which a failed call does not write. Positions of a mesh may be fewer than are asked for in their place. */
-static inline size_t size_of_out(const fairmesh_points_out *out, const fairmesh_mesh *mesh) {
+static inline size_t size_of_out(const fairmesh_points_out *out, const fairmesh_points *given) {
     enum { MOST = 100000 };
     if (out->stride != 0 || !out->data || out->count > MOST) return 0;
-    if (mesh && out->data == mesh->positions.data && (out->count > mesh->positions.count || out->scalar != mesh->positions.scalar)) return 0;
+    if (out->data == given->data && (out->count > given->count || out->scalar != given->scalar)) return 0;
     return out->count * 3 * (out->scalar == FAIRMESH_SCALAR_FLOAT32 ? 4 : 8);
 }
 
@@ -99,7 +99,7 @@ static void check_fixed(const Run *run) {
 
 static fairmesh_status fair(Run *run) {
     const Handed *to = &run->handed;
-    size_t size = to->out ? size_of_out(to->out, to->mesh) : 0;
+    size_t size = to->out ? size_of_out(to->out, &run->given->mesh.positions) : 0;
     void *before = block(size);
     fairmesh_status status;
     if (size) memcpy(before, to->out->data, size);
@@ -123,7 +123,7 @@ static fairmesh_status fair_in_steps(const Run *run, const fairmesh_options *opt
 /* Any number of threads gives the same bits, and so does a solver. */
 static fairmesh_status fair_again(Run *run) {
     const Handed *to = &run->handed;
-    size_t size = to->out ? size_of_out(to->out, to->mesh) : 0;
+    size_t size = to->out ? size_of_out(to->out, &run->given->mesh.positions) : 0;
     void *one = block(size);
     fairmesh_options options = run->given->options;
     fairmesh_status status;
