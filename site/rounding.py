@@ -63,7 +63,8 @@ def pillar(corners: int, radius: float, height: float) -> Manifold:
 def wedge(angle: float) -> Manifold:
     """A prism over a triangle with two equal sides, and this angle between them."""
     half = math.radians(angle / 2)
-    return Manifold.extrude(CrossSection([[(0, 0), (2 * math.cos(half), -2 * math.sin(half)), (2 * math.cos(half), 2 * math.sin(half))]]), 2)
+    x, y = 2 * math.cos(half), 2 * math.sin(half)
+    return Manifold.extrude(CrossSection([[(0, 0), (x, -y), (x, y)]]), 2)
 
 
 def gear() -> Manifold:
@@ -85,8 +86,14 @@ def bracket() -> Manifold:
     return legs - rod(0.3, 2).translate((1.1, 0, 0)) - rod(0.3, 2, 90).translate((0, 0, 1.1))
 
 
+def leaning_boss() -> Manifold:
+    """A plate with a cylinder that leans, and does not reach below."""
+    boss = rod(0.5, 2).translate((0, 0, 0.6)).rotate((0, 25, 0)) - block(4, 4, 2).translate((0, 0, -1.2))
+    return block(2.6, 2.4, 0.5) + boss
+
+
 def lattice() -> Manifold:
-    """Twelve struts of a cube, and its diagonals on three sides."""
+    """Twelve struts along the edges of a cube."""
     whole = Manifold()
     for turned in ((0, 0), (90, 0), (90, 90)):
         for a in (-1, 1):
@@ -117,7 +124,7 @@ SOLIDS = (
     Solid("cross-60", "Two cylinders at 60 degrees", lambda: rod(0.5, 3.4, 90) + rod(0.4, 3.4, 90, 60), 0.12),
     Solid("axes", "Three cylinders", lambda: rod(0.5, 2.6) + rod(0.45, 2.6, 90) + rod(0.4, 2.6, 90, 90), 0.1),
     Solid("boss", "A boss on a plate", lambda: block(2.4, 2.4, 0.5) + rod(0.6, 1.2).translate((0, 0, 0.6)), 0.15),
-    Solid("leaning-boss", "A boss that leans", lambda: block(2.6, 2.4, 0.5) + (rod(0.5, 2).translate((0, 0, 0.6)).rotate((0, 25, 0)) - block(4, 4, 2).translate((0, 0, -1.2))), 0.12),
+    Solid("leaning-boss", "A boss that leans", leaning_boss, 0.12),
     Solid("pocket", "A pocket", lambda: block(2.4, 2, 0.9) - block(1.4, 1, 0.9).translate((0, 0, 0.5)), 0.12),
     Solid("bores", "Four bores", bores, 0.08),
     Solid("bracket", "A bracket", bracket, 0.1, "0.75,-0.8,0.6"),
@@ -151,7 +158,10 @@ def write(path: Path, surface: Surface) -> None:
 
 
 def bevelled(surface: Surface, width: float) -> Surface:
-    """Blender's Bevel of all edges that are none of facets. Limited Dissolve makes one face of flat triangles before, as Bevel stops at their edges."""
+    """Blender's Bevel of all edges that are none of facets.
+
+    Limited Dissolve makes one face of flat triangles before, as Bevel stops at their edges.
+    """
     for old in list(bpy.data.objects):
         bpy.data.objects.remove(old)
     mesh = bpy.data.meshes.new("mesh")
@@ -169,9 +179,7 @@ def bevelled(surface: Surface, width: float) -> Surface:
     bpy.ops.mesh.bevel(offset=width, segments=SEGMENTS, profile=0.5, clamp_overlap=False)
     bpy.ops.object.mode_set(mode="OBJECT")
     mesh.calc_loop_triangles()
-    return Surface(
-        np.array([vertex.co for vertex in mesh.vertices]), np.array([triangle.vertices for triangle in mesh.loop_triangles])
-    )
+    return Surface(np.array([vertex.co for vertex in mesh.vertices]), np.array([triangle.vertices for triangle in mesh.loop_triangles]))
 
 
 def offset(surface: Surface, width: float) -> Surface:
@@ -234,17 +242,18 @@ def rounded(solid: Solid, program: str) -> Row:
 
 PAGE = """# Rounding, beside other programs
 
-Twenty solids as booleans of [manifold](https://github.com/elalish/manifold) leave them, rounded by `fairmesh round`, by Blender's Bevel, and by offsets of
-MeshLib, in and out for edges that stand out, then out and in for folds: as users do it without the others. All have the same width. Bevel gets its best
-case: flat triangles are dissolved into faces before, as it stops at their edges, and its overlaps are not clamped, or it would do nothing where a crease has short
-edges. Offsets are on a grid with {cells} cells for the width. The lower rows show reflections of rings of light. This page and its pictures are written by
+Twenty solids as booleans of [manifold](https://github.com/elalish/manifold) leave them, rounded by `fairmesh round`, by
+Blender's Bevel, and by offsets of MeshLib: in and out for edges that stand out, then out and in for folds. All have the same
+width. Bevel gets its best case: flat triangles are dissolved into faces before, as it stops at their edges, and its overlaps
+are not clamped, or it would do nothing where a crease has short edges. Offsets are on a grid with {cells} cells for the width.
+The lower rows show reflections of rings of light. This page and its pictures are written by
 
 ```console
 site/gallery.sh
 ```
 
-Blends of fairmesh are tangent to the faces, which stay where they are to the last bit; offsets make all of the surface anew, and wear off parts that are thinner than twice the
-width. Pairs of triangles that intersect are counted by MeshLib.
+Blends of fairmesh are tangent to the faces, which stay where they are to the last bit; offsets make all of the surface anew,
+and wear off parts that are thinner than twice the width. Pairs of triangles that intersect are counted by MeshLib.
 
 | | creases rounded | triangles: fairmesh | Bevel | offsets | intersecting pairs: fairmesh | Bevel | offsets |
 |---|--:|--:|--:|--:|--:|--:|--:|

@@ -27,7 +27,7 @@ class RoundOptions:
     )
     taper: FloatProperty(
         name="Taper",
-        description="How many times as large as at one end of the edges the blend is at the other one. Below 1 the ends are swapped",
+        description="How many times as large as at one end of the edges the blend is at the other one",
         default=1.0,
         min=0.01,
         soft_min=0.2,
