@@ -1,5 +1,7 @@
 //! Where rounded creases end: faces across from them, and boundaries.
 
+use std::f64::consts::TAU;
+
 use fairmesh::{Outcome, RoundOptions, Rounded, SharpFate, round};
 
 use crate::round::{block_on_floor, euler_number, prism};
@@ -204,4 +206,24 @@ fn widths_change_evenly_from_where_a_chain_begins() {
         tapered(&[], 1.0).positions,
         tapered(&[[7, 4], [4, 1]], 1.0).positions
     );
+}
+
+/// A face's fan has triangles without area along a mitre's line, once that is cut: they cross nothing.
+#[test]
+fn the_line_of_a_mitre_passes_triangles_without_area() {
+    for (corners, width) in [(5, 0.13), (3, 0.05)] {
+        let at = |i: u32| TAU * (f64::from(i) + 0.3) / f64::from(corners);
+        let polygon: Vec<[f64; 2]> = (0..corners).map(|i| [at(i).cos(), at(i).sin()]).collect();
+        let (positions, triangles) = prism(&polygon, [-1.0, 1.0]);
+        let options = RoundOptions {
+            width,
+            edges: (0..corners)
+                .map(|i| [corners + i, corners + (i + 1) % corners])
+                .collect(),
+            ..RoundOptions::default()
+        };
+        let mesh = round(&positions, &triangles, &options).unwrap();
+        assert!(mesh.is_complete(), "{corners}: {:?}", mesh.sharp_corners);
+        assert_eq!(mesh.report.sharp_edges.len(), corners as usize);
+    }
 }
