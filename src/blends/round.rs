@@ -93,7 +93,8 @@ pub fn blend_vertices(
     check_labels(triangles, options)?;
     let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
     let surface = Surface::new(positions, &joined.triangles)?;
-    let graph = CreaseGraph::new(&surface, &named_edges(&joined.copies, &surface, options)?);
+    let options = &named_edges(&joined.copies, &surface, options)?;
+    let graph = CreaseGraph::new(&surface, options);
     check_size(&surface, &graph, options)?;
     let level = level(&surface, &graph, &Endings::new(&surface, &graph), options);
     let expected = level.vertices(&graph.chains);
@@ -130,7 +131,8 @@ fn rounded(
     let mut telling = Telling::new(progress);
     let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
     let surface = Surface::new(positions, &joined.triangles)?;
-    let mut graph = CreaseGraph::new(&surface, &named_edges(&joined.copies, &surface, options)?);
+    let options = &named_edges(&joined.copies, &surface, options)?;
+    let mut graph = CreaseGraph::new(&surface, options);
     check_size(&surface, &graph, options)?;
     let mut given_up = 0;
     loop {
@@ -216,7 +218,7 @@ fn check_size(surface: &Surface<'_>, graph: &CreaseGraph, options: &RoundOptions
         false => ("width", options.width),
     };
     let length: f64 = chosen().map(|chain| chain.length(surface)).sum();
-    let is_told = width >= FINEST * surface.extent();
+    let is_told = width * options.taper.min(1.0) >= FINEST * surface.extent();
     Error::check_option(name, width, is_told, "larger, for a mesh as large as this")?;
     // Of blends with any room for them: at each point of a curve there are a few vertices.
     check_count(PER_WIDTH * length / width, options)

@@ -200,6 +200,18 @@ fn widths_change_evenly_from_where_a_chain_begins() {
     assert_below!(off_rails(&tapered(&[[1, 4], [4, 7]], 3.0), rising), 1e-6);
     assert_below!(off_rails(&tapered(&[[7, 4], [1, 4]], 3.0), falling), 1e-6);
     assert_below!(off_rails(&tapered(&[[4, 1], [4, 7]], 3.0), falling), 1e-6);
+    // By the number of a copy of vertex 7, too, which another triangle has.
+    let mut copied = sheet.clone();
+    copied.0.push(sheet.0[7]);
+    *copied.1.last_mut().unwrap() = copied.1.last().unwrap().map(|v| if v == 7 { 9 } else { v });
+    let options = RoundOptions {
+        width: 0.1,
+        taper: 3.0,
+        edges: vec![[9, 4], [4, 1]],
+        ..RoundOptions::default()
+    };
+    let mesh = round(&copied.0, &copied.1, &options).unwrap();
+    assert_below!(off_rails(&mesh, falling), 1e-6);
     // As steep as that nothing else makes widths change.
     assert_below!(off_rails(&tapered(&[], 8.0), |y| 0.1 + 0.35 * y), 1e-6);
     assert_eq!(
