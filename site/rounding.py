@@ -242,7 +242,7 @@ def rounded(solid: Solid, program: str) -> Row:
 
 PAGE = """# Rounding, beside other programs
 
-Twenty solids as booleans of [manifold](https://github.com/elalish/manifold) leave them, rounded by `fairmesh round`, by
+Twenty solids as booleans of [manifold3d](https://github.com/elalish/manifold) leave them, rounded by `fairmesh round`, by
 Blender's Bevel, and by offsets of MeshLib: in and out for edges that stand out, then out and in for folds. All have the same
 width. Bevel gets its best case: flat triangles are dissolved into faces before, as it stops at their edges, and its overlaps
 are not clamped, or it would do nothing where a crease has short edges. Offsets are on a grid with {cells} cells for the width.
