@@ -7,7 +7,7 @@ use super::facets::Facets;
 use super::level::Level;
 use super::rounded::Rounded;
 use super::surface::Surface;
-use crate::fairing::Outcome;
+use crate::fairing::{LooseReason, Outcome};
 use crate::mesh::disjoint_sets::DisjointSets;
 
 /// A corner is to blame for what is so many widths from it.
@@ -80,7 +80,14 @@ fn worst_places(result: &Rounded) -> Vec<Vector3<f64>> {
             Outcome::ConvergedPoorTriangles { triangles } | Outcome::PoorWhenRounded { triangles } => {
                 triangles.first().map(|&t| of_triangle(t))
             }
-            Outcome::NotConverged | Outcome::NearestMember { .. } => {
+            Outcome::ConvergedLoosely {
+                reason: LooseReason::SuspiciousNormals,
+            } => result.report.suspicious_normals.first().map(|&v| facets.at(v)),
+            Outcome::NotConverged
+            | Outcome::NearestMember { .. }
+            | Outcome::ConvergedLoosely {
+                reason: LooseReason::Bump,
+            } => {
                 let bends = bends.get_or_insert_with(|| worst_bends(result, &facets));
                 let (bend, place) = bends[component.vertex];
                 (bend > 0.0).then_some(place)
@@ -117,4 +124,43 @@ fn worst_bends(result: &Rounded, facets: &Facets<'_>) -> Vec<(f64, Vector3<f64>)
         }
     }
     worst
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blends::{RoundOptions, round};
+
+    /// Two far tetrahedra; the blends of the second are said to be loose.
+    #[test]
+    fn loose_blends_have_a_worst_place() {
+        let one = [
+            [1.0, 1.0, 1.0],
+            [1.0, -1.0, -1.0],
+            [-1.0, 1.0, -1.0],
+            [-1.0, -1.0, 1.0],
+        ];
+        let mut positions = one.to_vec();
+        positions.extend(one.map(|[x, y, z]| [x + 9.0, y, z]));
+        let mut triangles = vec![[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
+        triangles.extend(triangles.clone().iter().map(|t| t.map(|v| v + 4)));
+        let options = RoundOptions {
+            width: 0.1,
+            ..RoundOptions::default()
+        };
+        let rounded = round(&positions, &triangles, &options).unwrap();
+        assert!(worst_places(&rounded).is_empty());
+        let second = |v: usize| rounded.positions[v][0] > 4.5;
+        for reason in [LooseReason::Bump, LooseReason::SuspiciousNormals] {
+            let mut loose = rounded.clone();
+            let normal = loose.free.iter().copied().find(|&v| second(v as usize));
+            loose.report.suspicious_normals.extend(normal);
+            let components = &mut loose.report.components;
+            let of = components.iter_mut().find(|of| second(of.vertex)).unwrap();
+            of.outcome = Outcome::ConvergedLoosely { reason };
+            let places = worst_places(&loose);
+            assert_eq!(places.len(), 1, "{reason:?}");
+            assert!(places[0].x > 7.5, "{reason:?}: {}", places[0]);
+        }
+    }
 }
