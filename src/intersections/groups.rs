@@ -40,16 +40,17 @@ impl Box32 {
     }
 }
 
-/// Boxes around the triangles of a group, rounded outwards: per axis all their lower, then all their upper sides.
+/// Boxes around the triangles of a group, relative to a centre and rounded outwards: per axis all their lower, then all their upper sides. Differences from
+/// a centre are rounded, too, but what meets still does: rounding keeps the order of numbers.
 struct Boxes([[[f32; SIZE]; 2]; 3]);
 
 impl Boxes {
-    fn new(members: &[Member]) -> Self {
+    fn new(members: &[Member], centre: &[f64; 3]) -> Self {
         // Nothing is in a box that is not there.
         let mut boxes = [[[f32::INFINITY; SIZE], [f32::NEG_INFINITY; SIZE]]; 3];
         for (m, member) in members.iter().enumerate() {
             for (axis, [low, high]) in boxes.iter_mut().enumerate() {
-                let [a, b, c] = member.corners.map(|corner| corner[axis]);
+                let [a, b, c] = member.corners.map(|corner| corner[axis] - centre[axis]);
                 low[m] = not_above(a.min(b).min(c));
                 high[m] = -not_above(-a.max(b).max(c));
             }
@@ -81,13 +82,13 @@ fn not_above(x: f64) -> f32 {
 }
 
 impl TriangleGroup {
-    /// A run of the members.
-    pub(super) fn new(members: &[Member], run: Range<usize>) -> Self {
+    /// A run of the members, with boxes relative to this centre.
+    pub(super) fn new(members: &[Member], run: Range<usize>, centre: &[f64; 3]) -> Self {
         let own = &members[run.clone()];
         let bits = (0..).zip(own).map(|(m, member)| u8::from(member.is_asked) << m);
         Self {
             asked: bits.fold(0, |bits, bit| bits | bit),
-            boxes: Boxes::new(own),
+            boxes: Boxes::new(own, centre),
             run,
         }
     }

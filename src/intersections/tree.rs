@@ -58,6 +58,7 @@ impl Tree {
 
     /// Makes the nodes, each before what is in it.
     fn divide(&mut self, members: &[Member], places: &[(u64, u32)]) {
+        let centre = centre(members);
         // Runs that are left, each with the node that it is the second half of.
         let mut left = vec![(0..members.len(), None)];
         while let Some((run, parent)) = left.pop() {
@@ -68,7 +69,7 @@ impl Tree {
                 parent.content = Content::Inner(own);
             }
             if run.len() <= SIZE {
-                let group = TriangleGroup::new(members, run.clone());
+                let group = TriangleGroup::new(members, run.clone(), &centre);
                 self.nodes.push(Node {
                     bounds: group.bounds(),
                     is_asked: group.has_asked(),
@@ -104,6 +105,19 @@ impl Tree {
             }
         }
     }
+}
+
+/// The middle one of all first corners, in each coordinate: where most triangles are, and single precision is finest there, however far away a few of
+/// them are.
+fn centre(members: &[Member]) -> [f64; 3] {
+    [0, 1, 2].map(|axis| {
+        let mut all: Vec<f64> = members.iter().map(|member| member.corners[0][axis]).collect();
+        let middle = all.len() / 2;
+        match all.is_empty() {
+            true => 0.0,
+            false => *all.select_nth_unstable_by(middle, f64::total_cmp).1,
+        }
+    })
 }
 
 /// How many of a sorted run are in its first half: those before the highest bit changes.
@@ -150,6 +164,31 @@ fn spread(cell: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::intersections::member;
+
+    /// Triangles side by side, and one that is a thousand million times as far away.
+    #[test]
+    fn boxes_tell_triangles_apart_however_far_one_is() {
+        let row = |k: u32| 1.0 + f64::from(k) * 2e-9;
+        let corners = |x: f64| [[x, 1.0, 0.0], [x + 1e-9, 1.0, 0.0], [x, 1.0 + 1e-9, 0.0]];
+        let positions: Vec<[f64; 3]> = (0..256).map(row).chain([-1.0]).flat_map(corners).collect();
+        let triangles: Vec<[u32; 3]> = (0..257).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+        let all = (0..257).map(|k| member(&positions, &triangles, k, true).unwrap());
+        let tree = Tree::new(&mut all.collect(), || ());
+        let leaves: Vec<&Node> = tree
+            .nodes
+            .iter()
+            .filter(|node| matches!(node.content, Content::Leaf(_)))
+            .collect();
+        assert!(leaves.len() > 32);
+        for (k, leaf) in leaves.iter().enumerate() {
+            let met = leaves
+                .iter()
+                .filter(|other| other.bounds.meets(&leaf.bounds))
+                .count();
+            assert_eq!(met, 1, "{k}");
+        }
+    }
 
     #[test]
     fn every_bit_finds_its_place() {
