@@ -212,7 +212,7 @@ static inline fairmesh_indices labels_of(Bytes *bytes, size_t triangles) {
 static inline void give_round(Bytes *bytes, fairmesh_round_options *round, uint32_t vertices, size_t triangles) {
     uint8_t what = next(bytes);
     round->width = 0.25;
-    round->max_vertices = 2000;
+    round->max_blend_vertices = 2000;
     if (what & 1) round->struct_size = size_like(bytes, sizeof *round);
     if (what & 2) round->width = size_of_blend(between(bytes, 0.0, 4.0));
     if (what & 4) round->radius = size_of_blend(between(bytes, 0.0, 4.0));

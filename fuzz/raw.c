@@ -64,7 +64,7 @@ static void make_right(All *all) {
     given->fill.max_new_vertices = 200;
     given->remesh.max_vertices = 500;
     given->round.width = 0.25;
-    given->round.max_vertices = 2000;
+    given->round.max_blend_vertices = 2000;
     given->step_count = given->edit_count = 1;
 }
 

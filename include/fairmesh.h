@@ -2136,7 +2136,7 @@ typedef struct fairmesh_round_options {
     /**
      * Blends that would have more vertices than about so many are refused: a slip of the width, most likely. Default 1000000.
      */
-    uint64_t max_vertices;
+    uint64_t max_blend_vertices;
     /**
      * Labels of all triangles, one for each, as the numbers of their materials: lines between labels stay where they are, inside flat faces, too. Default: none, all have the same.
      */

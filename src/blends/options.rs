@@ -43,7 +43,7 @@ options! {
         /// Edges that are rounded, and no others: pairs of vertices; they are creases however little they bend. Default: none, all creases are.
         edges: Vec<[u32; 2]> = Vec::new(), indices 2;
         /// Blends that would have more vertices than about so many are refused: a slip of the width, most likely. Default 1000000.
-        max_vertices: usize = 1_000_000, count "vertices";
+        max_blend_vertices: usize = 1_000_000, count "vertices";
         /// Labels of all triangles, one for each, as the numbers of their materials: lines between labels stay where they are, inside flat faces, too. Default: none, all have the same.
         labels: Vec<u32> = Vec::new(), indices 1;
         /// How the blends are faired.

@@ -227,9 +227,9 @@ fn check_size(surface: &Surface<'_>, graph: &CreaseGraph, options: &RoundOptions
 /// # Errors
 /// [`Error::BadOption`] if blends have more vertices than are wanted.
 fn check_count(vertices: f64, options: &RoundOptions) -> Result<(), Error> {
-    let most = options.max_vertices as f64;
+    let most = options.max_blend_vertices as f64;
     let range = "at least the number of vertices that blends of this width need";
-    Error::check_option("max_vertices", most, vertices <= most, range)
+    Error::check_option("max_blend_vertices", most, vertices <= most, range)
 }
 
 /// # Errors

@@ -285,7 +285,7 @@ pub struct fairmesh_round_options {
     /// Edges that are rounded, and no others: pairs of vertices; they are creases however little they bend. Default: none, all creases are. Two indices side by side.
     pub edges: fairmesh_indices,
     /// Blends that would have more vertices than about so many are refused: a slip of the width, most likely. Default 1000000.
-    pub max_vertices: u64,
+    pub max_blend_vertices: u64,
     /// Labels of all triangles, one for each, as the numbers of their materials: lines between labels stay where they are, inside flat faces, too. Default: none, all have the same.
     pub labels: fairmesh_indices,
 }
@@ -301,14 +301,14 @@ impl fairmesh_round_options {
             taper: 1.0,
             angle: 0.0,
             edges: fairmesh_indices::default(),
-            max_vertices: 1000000,
+            max_blend_vertices: 1000000,
             labels: fairmesh_indices::default(),
         }
     }
 
     /// Where an option is in this argument.
     pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
-        field_named!(argument, option, Self: creases width radius taper angle edges max_vertices labels)
+        field_named!(argument, option, Self: creases width radius taper angle edges max_blend_vertices labels)
     }
 
     /// What needs no arrays and has no values of its own; all else as it is by default.
@@ -319,7 +319,7 @@ impl fairmesh_round_options {
             taper: self.taper,
             angle: self.angle,
             creases: chosen(Creases::from_number(self.creases), self.creases, "fairmesh_creases", field!(argument, Self.creases))?,
-            max_vertices: count(self.max_vertices),
+            max_blend_vertices: count(self.max_blend_vertices),
             ..RoundOptions::default()
         })
     }

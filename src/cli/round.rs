@@ -82,7 +82,7 @@ pub struct RoundArgs {
     continuity: f64,
     /// Refuse blends that would have more vertices than about so many [default: 1000000]
     #[arg(long, value_name = "N", verbatim_doc_comment)]
-    max_vertices: Option<usize>,
+    max_blend_vertices: Option<usize>,
     /// Stop when the vertices move less than this part of a blend's diagonal, between
     /// 0 and 1 [default: 1e-8]
     #[arg(long, value_name = "X", verbatim_doc_comment)]
@@ -178,7 +178,7 @@ fn options(args: &RoundArgs, mesh: &MeshFile, output_precision: OutputPrecision)
     let round = RoundOptions::default();
     RoundOptions {
         taper: args.taper.unwrap_or(round.taper),
-        max_vertices: args.max_vertices.unwrap_or(round.max_vertices),
+        max_blend_vertices: args.max_blend_vertices.unwrap_or(round.max_blend_vertices),
         width: args.width.unwrap_or(0.0),
         radius: args.radius.unwrap_or(0.0),
         angle: args.angle.unwrap_or(0.0),

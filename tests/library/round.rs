@@ -252,8 +252,8 @@ fn widths_that_cannot_be_are_refused() {
         (0.0, f64::NAN, "radius"),
         (1e-12, 0.0, "width"),
         (0.0, 1e-12, "radius"),
-        (1e-5, 0.0, "max_vertices"),
-        (0.0, 1e-9, "max_vertices"),
+        (1e-5, 0.0, "max_blend_vertices"),
+        (0.0, 1e-9, "max_blend_vertices"),
     ] {
         match round(&cube.0, &cube.1, &asked(width, radius)) {
             Err(Error::BadOption { name, .. }) => assert_eq!(name, named),

@@ -63,7 +63,7 @@ def test_what_is_refused():
         ({}, "BAD_OPTION"),
         ({"width": WIDTH, "creases": "concave"}, "NO_CREASE"),
         ({"width": WIDTH, "taper": 0.0}, "BAD_OPTION"),
-        ({"width": WIDTH, "max_vertices": 100}, "BAD_OPTION"),
+        ({"width": WIDTH, "max_blend_vertices": 100}, "BAD_OPTION"),
         ({"width": WIDTH, "edges": [[0, len(VERTICES) - 1]]}, "NOT_AN_EDGE"),
     ):
         with pytest.raises(fairmesh.FairmeshError) as refused:
