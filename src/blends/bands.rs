@@ -130,6 +130,8 @@ impl Bands {
     /// Triangulates the bands anew and fairs them; where that leads to no sound surface, or to one that bends much from triangle to triangle, once
     /// more, from the surface that it has led to: that is smooth already, vertices are spread over it evenly, and it tells how fine it is to be.
     ///
+    /// The place of a vertex with too many triangles where that cannot be: there the rails leave too little room.
+    ///
     /// # Errors
     /// Those of [`fair`](crate::fair).
     pub(super) fn fair(
@@ -138,9 +140,12 @@ impl Bands {
         centre: &Vector3<f64>,
         options: &Options,
         telling: &mut Telling<'_, '_>,
-    ) -> Result<Rounded, Error> {
+    ) -> Result<Result<Rounded, Vector3<f64>>, Error> {
         let mut bands = self.parted().remeshed(given.len(), None)?;
-        let mut solution = bands.solve(options, telling)?;
+        let mut solution = match bands.solve(options, telling) {
+            Err(Error::ValenceTooLarge { vertex, .. }) => return Ok(Err(bands.positions[vertex].into())),
+            solved => solved?,
+        };
         for _ in 0..AGAIN {
             let is_good = is_sound(&solution);
             let smooth = Self {
@@ -163,7 +168,7 @@ impl Bands {
         bands.positions = solution.positions;
         let (faces, report) = (bands.sources.len(), &mut solution.report);
         tell(report, &bands.creases, &bands.positions, &bands.triangles, faces)?;
-        Ok(bands.assemble(given, centre, solution.report))
+        Ok(Ok(bands.assemble(given, centre, solution.report)))
     }
 
     /// Parted along arcs, whose vertices are not free then.

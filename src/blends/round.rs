@@ -22,7 +22,7 @@ use super::surface::Surface;
 use super::telling::Telling;
 use super::through::Through;
 use super::tidy::tidy;
-use super::unsolved::give_up;
+use super::unsolved::{give_up, worst_places};
 use super::widths::Widths;
 use crate::fairing::{ProgressCallback, on_workers};
 use crate::mesh::Joined;
@@ -168,8 +168,16 @@ fn rounded(
             (arcs(&cut, &endings.creases(), &normals), &rims),
             options.fairing.asks_continuity(),
         );
-        let rounded = bands.fair(positions, &surface.centre, &options.fairing, &mut telling)?;
-        if given_up == GIVEN_UP || !give_up(&mut graph, &surface, &level, &rounded) {
+        let rounded = match bands.fair(positions, &surface.centre, &options.fairing, &mut telling)? {
+            Ok(rounded) => rounded,
+            Err(place) => {
+                give_up(&mut graph, &surface, &level, &[place]);
+                check_size(&surface, &graph, options)?;
+                continue;
+            }
+        };
+        let worst = worst_places(&rounded, &surface.centre);
+        if given_up == GIVEN_UP || !give_up(&mut graph, &surface, &level, &worst) {
             return Ok(rounded);
         }
         given_up += 1;

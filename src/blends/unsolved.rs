@@ -13,17 +13,15 @@ use crate::mesh::disjoint_sets::DisjointSets;
 /// A corner is to blame for what is so many widths from it.
 const REACH: f64 = 3.0;
 
-/// Lets corners near the worst places of a result stay sharp, or else the creases that are nearest. False if there is no such place, or nothing would
-/// be left.
+/// Lets corners near these places stay sharp, or else the creases that are nearest. False if there is no such place, or nothing would be left.
 pub(super) fn give_up(
     graph: &mut CreaseGraph,
     surface: &Surface<'_>,
     level: &Level,
-    result: &Rounded,
+    places: &[Vector3<f64>],
 ) -> bool {
     let mut is_any = false;
-    for place in worst_places(result) {
-        let place = place - surface.centre;
+    for &place in places {
         if let Some(v) = corner(graph, surface, level, &place) {
             graph.sharp_corners.push((v, place));
             is_any = true;
@@ -64,8 +62,8 @@ fn corner(graph: &CreaseGraph, surface: &Surface<'_>, level: &Level, place: &Vec
     near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|of| of.0)
 }
 
-/// Where blends that are not sound are worst: one place of each component.
-fn worst_places(result: &Rounded) -> Vec<Vector3<f64>> {
+/// Where blends that are not sound are worst, from this centre: one place of each component.
+pub(super) fn worst_places(result: &Rounded, centre: &Vector3<f64>) -> Vec<Vector3<f64>> {
     let Ok(facets) = Facets::new(&result.positions, &result.triangles) else {
         return Vec::new();
     };
@@ -95,7 +93,7 @@ fn worst_places(result: &Rounded) -> Vec<Vector3<f64>> {
             _ => None,
         });
     }
-    places
+    places.iter().map(|place| place - centre).collect()
 }
 
 /// Per component, by its smallest free vertex, the largest bend between its triangles, and the middle of the edge.
@@ -149,7 +147,7 @@ mod tests {
             ..RoundOptions::default()
         };
         let rounded = round(&positions, &triangles, &options).unwrap();
-        assert!(worst_places(&rounded).is_empty());
+        assert!(worst_places(&rounded, &Vector3::zeros()).is_empty());
         let second = |v: usize| rounded.positions[v][0] > 4.5;
         for reason in [LooseReason::Bump, LooseReason::SuspiciousNormals] {
             let mut loose = rounded.clone();
@@ -158,7 +156,7 @@ mod tests {
             let components = &mut loose.report.components;
             let of = components.iter_mut().find(|of| second(of.vertex)).unwrap();
             of.outcome = Outcome::ConvergedLoosely { reason };
-            let places = worst_places(&loose);
+            let places = worst_places(&loose, &Vector3::zeros());
             assert_eq!(places.len(), 1, "{reason:?}");
             assert!(places[0].x > 7.5, "{reason:?}: {}", places[0]);
         }

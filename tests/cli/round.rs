@@ -61,7 +61,10 @@ fn what_cannot_be_rounded_is_refused() {
         (&[], "--width"),
         (&["--width", "0.2", "--radius", "0.2"], "--radius"),
         (&["--width", "0.2", "--taper", "0"], "--taper"),
-        (&["--width", "0.2", "--max-blend-vertices", "100"], "--max-blend-vertices"),
+        (
+            &["--width", "0.2", "--max-blend-vertices", "100"],
+            "--max-blend-vertices",
+        ),
     ] {
         let (_, error) = expect(&directory, &[&round[..], flags].concat(), 2);
         assert!(error.contains(said), "{flags:?}: {error}");
