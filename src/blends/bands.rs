@@ -21,8 +21,9 @@ use crate::fairing::{
     Solution, fair_along,
 };
 use crate::holes::{Lengths, Parents, RemeshOptions, compose, remesh_to_lengths};
-use crate::mesh::NONE;
+use crate::mesh::membrane::membrane;
 use crate::mesh::parted::part;
+use crate::mesh::{NONE, RegionMesh, Rings};
 use crate::support::error::Error;
 
 /// The mesh with bands that are cut out.
@@ -63,7 +64,7 @@ impl Bands {
         normals: &FaceNormals<'_>,
         (arcs, rims): (Vec<GivenCrease>, &[Arc]),
         asks_continuity: bool,
-    ) -> Self {
+    ) -> Result<Self, Error> {
         let sheet = &cut.sheet;
         let count = sheet.x.len();
         let is_free = |v: &u32| cut.value[*v as usize] < 0.0;
@@ -94,7 +95,7 @@ impl Bands {
             is_on_rim[*v as usize] = true;
         }
         let is_given = |v: u32| (v as usize) < normals.surface.x.len() && !is_free(&v);
-        Self {
+        let bands = Self {
             positions,
             given: all.clone().map(|v| if is_given(v) { v } else { NONE }).collect(),
             parents: sheet.parents.clone(),
@@ -124,7 +125,26 @@ impl Bands {
                 .map(|(chain, &least)| told(chain, least, normals.surface))
                 .collect(),
             sharp_corners: normals.graph.sharp_corners.iter().map(sharp).collect(),
+        };
+        bands.bulged(|v| cut.bulge(v))
+    }
+
+    /// Bulged from their membranes towards the creases, by a part of the way there: from rail to rail it is about as far then as over the blends. Along the faces of a
+    /// knife it is many times as far, and they would get as many times the vertices that they need.
+    ///
+    /// # Errors
+    /// Those of [`fair`](crate::fair).
+    fn bulged(mut self, part: impl Fn(u32) -> f64) -> Result<Self, Error> {
+        let region = RegionMesh::new(&self.positions, &self.triangles, Selection::Vertices(&self.free))?;
+        let given = region.positions(&self.positions);
+        let mut x = given.clone();
+        let on_arcs = self.on_arcs();
+        let is_placed = |v: usize| on_arcs.binary_search(&region.vertex_ids[v]).is_ok();
+        membrane(&Rings::new(&region), &mut x, is_placed);
+        for (i, &v) in region.vertex_ids[..region.free].iter().enumerate() {
+            self.positions[v as usize] = (x[i] + (given[i] - x[i]) * part(v)).into();
         }
+        Ok(self)
     }
 
     /// Triangulates the bands anew and fairs them; where that leads to no sound surface, or to one that bends much from triangle to triangle, once

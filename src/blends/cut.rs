@@ -155,6 +155,12 @@ impl<'a> Cut<'a> {
         Some(self.level.edge_length(nearest))
     }
 
+    /// Which part of the way from the chord between its rails to the crease a blend bulges at a vertex in a band.
+    pub(super) fn bulge(&self, v: u32) -> f64 {
+        let nearest = self.level.nearest(&self.near[v as usize]);
+        nearest.map_or(0.0, |nearest| self.level.bulge(nearest))
+    }
+
     /// Halves the longest edge of a triangle, after those that are longer beside it.
     fn bisect(&mut self, t: u32) {
         let h = self.sheet.longest(t);

@@ -22,7 +22,7 @@ use super::surface::Surface;
 use super::telling::Telling;
 use super::through::Through;
 use super::tidy::tidy;
-use super::unsolved::{give_up, worst_places};
+use super::unsolved::{give_up, give_up_faded, worst_places};
 use super::widths::Widths;
 use crate::fairing::{ProgressCallback, on_workers};
 use crate::mesh::Joined;
@@ -138,6 +138,10 @@ fn rounded(
     loop {
         let endings = Endings::new(&surface, &graph);
         let level = level(&surface, &graph, &endings, options);
+        if give_up_faded(&mut graph, &level) {
+            check_size(&surface, &graph, options)?;
+            continue;
+        }
         check_count(level.vertices(&graph.chains), options)?;
         let cut = cut_out(
             (&surface, &joined.triangles),
@@ -167,7 +171,7 @@ fn rounded(
             &normals,
             (arcs(&cut, &endings.creases(), &normals), &rims),
             options.fairing.asks_continuity(),
-        );
+        )?;
         let rounded = match bands.fair(positions, &surface.centre, &options.fairing, &mut telling)? {
             Ok(rounded) => rounded,
             Err(place) => {

@@ -8,6 +8,7 @@ use super::level::Level;
 use super::rounded::Rounded;
 use super::surface::Surface;
 use crate::fairing::{LooseReason, Outcome};
+use crate::mesh::NONE;
 use crate::mesh::disjoint_sets::DisjointSets;
 
 /// A corner is to blame for what is so many widths from it.
@@ -32,6 +33,20 @@ pub(super) fn give_up(
         }
     }
     is_any && graph.chains.iter().any(|chain| chain.is_chosen)
+}
+
+/// Lets creases stay sharp whose bands end before they begin. Whether there are any.
+pub(super) fn give_up_faded(graph: &mut CreaseGraph, level: &Level) -> bool {
+    let mut is_any = false;
+    for (c, chain) in graph.chains.iter_mut().enumerate() {
+        if chain.is_chosen && level.sides[2 * c].widest <= 0.0 {
+            let points = &level.curves[c].points;
+            chain.is_chosen = false;
+            chain.unsolved = Some(points[points.len() / 2]);
+            is_any = true;
+        }
+    }
+    is_any
 }
 
 /// The crease that is nearest to a place.
@@ -71,6 +86,13 @@ pub(super) fn worst_places(result: &Rounded, centre: &Vector3<f64>) -> Vec<Vecto
     let crossing = result.report.self_intersections.iter();
     let crossing = crossing.flat_map(|all| all.pairs.first());
     let mut places: Vec<Vector3<f64>> = crossing.map(|pair| of_triangle(pair[0])).collect();
+    let components = components(result);
+    // Whether a component has a triangle at a vertex of its boundary.
+    let is_at = |component: usize, v: u32| {
+        let around = facets.links.outgoing.row(v as usize).iter();
+        let mut corners = around.flat_map(|&h| result.triangles[h as usize / 3]);
+        corners.any(|corner| components[corner as usize] as usize == component)
+    };
     let mut bends = None;
     for component in &result.report.components {
         places.extend(match &component.outcome {
@@ -80,13 +102,17 @@ pub(super) fn worst_places(result: &Rounded, centre: &Vector3<f64>) -> Vec<Vecto
             }
             Outcome::ConvergedLoosely {
                 reason: LooseReason::SuspiciousNormals,
-            } => result.report.suspicious_normals.first().map(|&v| facets.at(v)),
+            } => {
+                let mut all = result.report.suspicious_normals.iter();
+                let own = all.find(|&&v| is_at(component.vertex, v));
+                own.map(|&v| facets.at(v))
+            }
             Outcome::NotConverged
             | Outcome::NearestMember { .. }
             | Outcome::ConvergedLoosely {
                 reason: LooseReason::Bump,
             } => {
-                let bends = bends.get_or_insert_with(|| worst_bends(result, &facets));
+                let bends = bends.get_or_insert_with(|| worst_bends(result, &components, &facets));
                 let (bend, place) = bends[component.vertex];
                 (bend > 0.0).then_some(place)
             }
@@ -96,26 +122,34 @@ pub(super) fn worst_places(result: &Rounded, centre: &Vector3<f64>) -> Vec<Vecto
     places.iter().map(|place| place - centre).collect()
 }
 
-/// Per component, by its smallest free vertex, the largest bend between its triangles, and the middle of the edge.
-fn worst_bends(result: &Rounded, facets: &Facets<'_>) -> Vec<(f64, Vector3<f64>)> {
+/// Per vertex the component whose free vertex it is, named by the smallest of them; [`NONE`] of others.
+fn components(result: &Rounded) -> Vec<u32> {
     let mut is_free = vec![false; result.positions.len()];
     result.free.iter().for_each(|&v| is_free[v as usize] = true);
     // Components end at arcs.
     let on_arcs = result.report.sharp_edges.iter().flat_map(|edge| &edge.vertices);
     on_arcs.for_each(|&v| is_free[v as usize] = false);
-    let is_free = |v: &u32| is_free[*v as usize];
-    let mut components = DisjointSets::new(result.positions.len());
+    let is_free = |v: u32| is_free[v as usize];
+    let mut sets = DisjointSets::new(result.positions.len());
     for triangle in &result.triangles {
-        let mut free = triangle.iter().copied().filter(is_free);
+        let mut free = triangle.iter().copied().filter(|&v| is_free(v));
         if let Some(first) = free.next() {
-            free.for_each(|v| components.unite(first, v));
+            free.for_each(|v| sets.unite(first, v));
         }
     }
+    let all = 0..result.positions.len() as u32;
+    all.map(|v| if is_free(v) { sets.smallest(v) } else { NONE })
+        .collect()
+}
+
+/// Per component the largest bend between its triangles, and the middle of the edge.
+fn worst_bends(result: &Rounded, components: &[u32], facets: &Facets<'_>) -> Vec<(f64, Vector3<f64>)> {
     let mut worst = vec![(0.0, Vector3::zeros()); result.positions.len()];
     for h in 0..3 * result.triangles.len() as u32 {
-        let free = result.triangles[h as usize / 3].iter().copied().find(is_free);
-        if let (Some(v), Some(bend)) = (free, facets.bend(h)) {
-            let of = &mut worst[components.smallest(v) as usize];
+        let of_corners = result.triangles[h as usize / 3].map(|v| components[v as usize]);
+        let component = of_corners.into_iter().find(|of| *of != NONE);
+        if let (Some(v), Some(bend)) = (component, facets.bend(h)) {
+            let of = &mut worst[v as usize];
             if bend > of.0 {
                 *of = (bend, facets.at(facets.links.origin(h)) + facets.edge(h) * 0.5);
             }
@@ -151,8 +185,14 @@ mod tests {
         let second = |v: usize| rounded.positions[v][0] > 4.5;
         for reason in [LooseReason::Bump, LooseReason::SuspiciousNormals] {
             let mut loose = rounded.clone();
-            let normal = loose.free.iter().copied().find(|&v| second(v as usize));
-            loose.report.suspicious_normals.extend(normal);
+            let normal = |of_second| {
+                loose
+                    .free
+                    .iter()
+                    .copied()
+                    .find(|&v| second(v as usize) == of_second)
+            };
+            loose.report.suspicious_normals = [false, true].into_iter().filter_map(normal).collect();
             let components = &mut loose.report.components;
             let of = components.iter_mut().find(|of| second(of.vertex)).unwrap();
             of.outcome = Outcome::ConvergedLoosely { reason };

@@ -19,6 +19,7 @@ pub(crate) mod halfedge;
 pub(crate) mod hierarchy;
 pub(crate) mod input;
 mod islands;
+pub(crate) mod membrane;
 pub(crate) mod numbering;
 pub(crate) mod outside_neighbours;
 pub(crate) mod parted;

@@ -199,7 +199,7 @@ fn divided_cube(n: u32) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
 fn reaches_over(labels: Vec<u32>) -> f64 {
     let (positions, triangles) = divided_cube(2);
     let options = RoundOptions {
-        width: 0.2,
+        width: 0.26,
         labels,
         ..RoundOptions::default()
     };
@@ -226,7 +226,7 @@ fn lines_between_labels_stay_where_they_are() {
     // Without them rails have vertices as they need them.
     assert!(reaches_over(Vec::new()) > 1e-3);
     let options = RoundOptions {
-        width: 0.2,
+        width: 0.26,
         labels: vec![0; 3],
         ..RoundOptions::default()
     };

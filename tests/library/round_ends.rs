@@ -239,3 +239,19 @@ fn the_line_of_a_mitre_passes_triangles_without_area() {
         assert_eq!(mesh.report.sharp_edges.len(), corners as usize);
     }
 }
+
+/// The front of a block is so narrow that the blend at its foot would have to fade out at both ends before it begins.
+#[test]
+fn a_crease_too_short_to_fade_out_stays_sharp() {
+    let (mut positions, triangles) = block_on_floor();
+    [4, 5, 8, 9]
+        .into_iter()
+        .for_each(|v: usize| positions[v][0] *= 0.002);
+    let mesh = rounded(&(positions, triangles), vec![[4, 5], [10, 11]]);
+    let is_rounded: Vec<bool> = mesh.chains.iter().map(|of| of.is_rounded).collect();
+    let sharp = mesh.chains.iter().filter(|of| of.unsolved.is_some());
+    let sharp: Vec<&[u32]> = sharp.map(|of| &of.vertices[..]).collect();
+    assert_eq!(sharp, [[5, 4]]);
+    assert_eq!(is_rounded.iter().filter(|is| **is).count(), 1);
+    assert!(!mesh.is_complete());
+}

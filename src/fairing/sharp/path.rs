@@ -5,17 +5,14 @@
 
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashSet};
-use std::sync::Arc;
 
-use fairmesh_linear::cholesky::{Cholesky, SolveWork};
-use fairmesh_linear::ordering::fill_reducing;
-use fairmesh_linear::symbolic::Symbolic;
 use nalgebra::Vector3;
 
 use super::branch::{Branch, Knot};
 use super::group::Group;
 use crate::mesh::NONE;
 use crate::mesh::edge_set::EdgeSet;
+use crate::mesh::membrane::membrane;
 use crate::solve::Domain;
 
 /// What an edge on the crease costs, in those that are one edge off it.
@@ -56,7 +53,7 @@ impl<'a> Membrane<'a> {
     pub(super) fn new(domain: &'a Domain, positions: &[[f64; 3]], marked: &[[u32; 2]]) -> Option<Self> {
         let region = &domain.region;
         let mut x = region.positions(positions);
-        relax(domain, &mut x, &vec![false; region.free])?;
+        membrane(&domain.rings, &mut x, |_| false)?;
         let edges = domain.rings.boundary_half_edges.iter().map(|&h| {
             let ends = [region.half_edges.origin(h), region.half_edges.target(h)];
             (x[ends[0] as usize] - x[ends[1] as usize]).norm()
@@ -106,7 +103,7 @@ impl<'a> Membrane<'a> {
                 x[v as usize] = branch.curve.at(part).at;
             }
         }
-        relax(self.domain, &mut x, &is_placed)?;
+        membrane(&self.domain.rings, &mut x, |v| is_placed[v])?;
         let normal = |h: u32| {
             let [a, b, c] = half_edges.corners(h).map(|v| x[v as usize]);
             (b - a).cross(&(c - a))
@@ -373,40 +370,4 @@ impl Reach {
         path.reverse();
         (path.len() > 1).then_some(path)
     }
-}
-
-/// Moves every free vertex but those that are placed to the mean of its neighbours; `None` where that is not determined.
-fn relax(domain: &Domain, x: &mut [Vector3<f64>], is_placed: &[bool]) -> Option<()> {
-    let (rings, free) = (&domain.rings, domain.region.free);
-    let graph = rings.graph();
-    let order = fill_reducing(&graph, &graph, 1, None);
-    let mut factor = Cholesky::<f64>::new(Arc::new(Symbolic::new(&graph, &order)));
-    let mut values = vec![-1.0; graph.column.len()];
-    for v in 0..free {
-        let row = graph.start[v]..graph.start[v + 1];
-        for k in row
-            .clone()
-            .filter(|&k| is_placed[v] || is_placed[graph.column[k] as usize])
-        {
-            values[k] = 0.0;
-        }
-        values[row.end - 1] = if is_placed[v] {
-            1.0
-        } else {
-            rings.ring(v).len() as f64
-        };
-    }
-    factor.factor(&values).ok()?;
-    let is_fixed = |w: u32| !domain.region.is_free(w) || is_placed[w as usize];
-    let fixed = |v: usize| rings.ring(v).iter().filter(|w| is_fixed(**w));
-    let right = |v: usize| match is_placed[v] {
-        true => x[v],
-        false => fixed(v).map(|&w| x[w as usize]).sum(),
-    };
-    let mut solution: Vec<[f64; 3]> = (0..free).map(|v| right(v).into()).collect();
-    factor.solve(&mut solution, &mut SolveWork::default());
-    for (x, p) in x.iter_mut().zip(&solution) {
-        *x = (*p).into();
-    }
-    Some(())
 }
