@@ -130,7 +130,7 @@ impl Bands {
     }
 
     /// Bulged from their membranes towards the creases, by a part of the way there: from rail to rail it is about as far then as over the blends. Along the faces of a
-    /// knife it is many times as far, and they would get as many times the vertices that they need.
+    /// knife it is many times as far, and they would get as many times the vertices that they need. Bands without a membrane stay as they are.
     ///
     /// # Errors
     /// Those of [`fair`](crate::fair).

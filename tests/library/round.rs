@@ -173,7 +173,6 @@ fn vertices_that_stay_come_first_and_new_ones_have_parents_near_them() {
     }
 }
 
-/// A width or radius that cannot be, and what is said of it.
 /// The cube, each face in `n` by `n` squares; vertices on its edges are there for each face.
 fn divided_cube(n: u32) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     let (mut positions, mut triangles) = (Vec::new(), Vec::new());
@@ -237,6 +236,7 @@ fn lines_between_labels_stay_where_they_are() {
     );
 }
 
+/// A width or radius that cannot be, and what is said of it.
 #[test]
 fn widths_that_cannot_be_are_refused() {
     let cube = cube();
