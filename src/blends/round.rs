@@ -285,7 +285,12 @@ fn named_edges(
 }
 
 /// The sides of all chains, with their widths.
-fn level(surface: &Surface<'_>, graph: &CreaseGraph, endings: &Endings, options: &RoundOptions) -> Level {
+pub(super) fn level(
+    surface: &Surface<'_>,
+    graph: &CreaseGraph,
+    endings: &Endings,
+    options: &RoundOptions,
+) -> Level {
     let Endings { through, mitres } = endings;
     let mitred: Vec<u32> = mitres.iter().map(|of| of.vertex).collect();
     let base = options.radius.max(options.width);

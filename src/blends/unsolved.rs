@@ -14,24 +14,29 @@ use crate::mesh::disjoint_sets::DisjointSets;
 /// A corner is to blame for what is so many widths from it.
 const REACH: f64 = 3.0;
 
-/// Lets corners near these places stay sharp, or else the creases that are nearest. False if there is no such place, or nothing would be left.
+/// Lets corners near these places stay sharp, or else the creases that are nearest; where there are two at one corner, the crease as well. False if there is
+/// no such place, or nothing would be left.
 pub(super) fn give_up(
     graph: &mut CreaseGraph,
     surface: &Surface<'_>,
     level: &Level,
     places: &[Vector3<f64>],
 ) -> bool {
-    let mut is_any = false;
+    let corners = graph.sharp_corners.len();
+    // Creases are given up when all places are seen: two flaws of one are not to be blamed on its neighbour.
+    let mut creases = Vec::new();
     for &place in places {
         if let Some(v) = corner(graph, surface, level, &place) {
             graph.sharp_corners.push((v, place));
-            is_any = true;
         } else if let Some(c) = nearest(graph, level, &place) {
-            graph.chains[c].is_chosen = false;
-            graph.chains[c].unsolved = Some(place);
-            is_any = true;
+            creases.push((c, place));
         }
     }
+    for &(c, place) in &creases {
+        graph.chains[c].is_chosen = false;
+        graph.chains[c].unsolved.get_or_insert(place);
+    }
+    let is_any = graph.sharp_corners.len() > corners || !creases.is_empty();
     is_any && graph.chains.iter().any(|chain| chain.is_chosen)
 }
 
@@ -161,7 +166,43 @@ fn worst_bends(result: &Rounded, components: &[u32], facets: &Facets<'_>) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::blends::endings::Endings;
+    use crate::blends::round::level;
     use crate::blends::{RoundOptions, round};
+
+    /// A drum: a closed crease around either of its flat ends.
+    #[test]
+    fn two_flaws_of_one_crease_are_not_blamed_on_another() {
+        const SIDES: u32 = 48;
+        let at = |i: u32, z: f64| {
+            let angle = f64::from(i) * std::f64::consts::TAU / f64::from(SIDES);
+            [libm::cos(angle), libm::sin(angle), z]
+        };
+        let mut positions: Vec<[f64; 3]> = (0..2 * SIDES).map(|i| at(i / 2, f64::from(i % 2))).collect();
+        positions.extend([[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+        let sector = |i: u32| {
+            let [a, b] = [2 * i, (2 * i + 2) % (2 * SIDES)];
+            [
+                [a, b, a + 1],
+                [b, b + 1, a + 1],
+                [2 * SIDES, b, a],
+                [2 * SIDES + 1, a + 1, b + 1],
+            ]
+        };
+        let triangles: Vec<[u32; 3]> = (0..SIDES).flat_map(sector).collect();
+        let options = RoundOptions {
+            width: 0.1,
+            ..RoundOptions::default()
+        };
+        let surface = Surface::new(&positions, &triangles).unwrap();
+        let mut graph = CreaseGraph::new(&surface, &options);
+        let level = level(&surface, &graph, &Endings::new(&surface, &graph), &options);
+        let places = [at(0, 0.9), at(7, 0.95)].map(|p| Vector3::from(p) - surface.centre);
+        assert!(give_up(&mut graph, &surface, &level, &places));
+        let sharp = graph.chains.iter().filter(|chain| !chain.is_chosen);
+        let places: Vec<_> = sharp.map(|chain| chain.unsolved).collect();
+        assert_eq!(places, [Some(Vector3::from(at(0, 0.9)) - surface.centre)]);
+    }
 
     /// Two far tetrahedra; the blends of the second are said to be loose.
     #[test]
