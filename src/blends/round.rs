@@ -285,12 +285,7 @@ fn named_edges(
 }
 
 /// The sides of all chains, with their widths.
-pub(super) fn level(
-    surface: &Surface<'_>,
-    graph: &CreaseGraph,
-    endings: &Endings,
-    options: &RoundOptions,
-) -> Level {
+fn level(surface: &Surface<'_>, graph: &CreaseGraph, endings: &Endings, options: &RoundOptions) -> Level {
     let Endings { through, mitres } = endings;
     let mitred: Vec<u32> = mitres.iter().map(|of| of.vertex).collect();
     let base = options.radius.max(options.width);

@@ -14,8 +14,8 @@ use crate::mesh::disjoint_sets::DisjointSets;
 /// A corner is to blame for what is so many widths from it.
 const REACH: f64 = 3.0;
 
-/// Lets corners near these places stay sharp, or else the creases that are nearest; where there are two at one corner, the crease as well. False if there is
-/// no such place, or nothing would be left.
+/// Lets corners near these places stay sharp, or else the creases that are nearest; for a second place at the same corner the crease, too.
+/// False if there is no such place, or nothing would be left.
 pub(super) fn give_up(
     graph: &mut CreaseGraph,
     surface: &Surface<'_>,
@@ -166,57 +166,55 @@ fn worst_bends(result: &Rounded, components: &[u32], facets: &Facets<'_>) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::blends::endings::Endings;
-    use crate::blends::round::level;
+    use crate::blends::chain_curve::ChainCurve;
+    use crate::blends::crease_graph::Chain;
+    use crate::blends::level::Side;
     use crate::blends::{RoundOptions, round};
 
-    /// A drum: a closed crease around either of its flat ends.
+    const TETRAHEDRON: [[f64; 3]; 4] = [
+        [1.0, 1.0, 1.0],
+        [1.0, -1.0, -1.0],
+        [-1.0, 1.0, -1.0],
+        [-1.0, -1.0, 1.0],
+    ];
+    const FACES: [[u32; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
+
     #[test]
     fn two_flaws_of_one_crease_are_not_blamed_on_another() {
-        const SIDES: u32 = 48;
-        let at = |i: u32, z: f64| {
-            let angle = f64::from(i) * std::f64::consts::TAU / f64::from(SIDES);
-            [libm::cos(angle), libm::sin(angle), z]
+        let surface = Surface::new(&TETRAHEDRON, &FACES).unwrap();
+        let mut graph = CreaseGraph::new(&surface, &RoundOptions::default());
+        let ends = |chain: &Chain| chain.ends(&surface).map(|v| surface.x[v as usize]);
+        let side = |i: u32| Side {
+            face: 0,
+            curve: i / 2,
+            widths: Vec::new(),
+            widest: 0.1,
+            with: [None; 2],
         };
-        let mut positions: Vec<[f64; 3]> = (0..2 * SIDES).map(|i| at(i / 2, f64::from(i % 2))).collect();
-        positions.extend([[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
-        let sector = |i: u32| {
-            let [a, b] = [2 * i, (2 * i + 2) % (2 * SIDES)];
-            [
-                [a, b, a + 1],
-                [b, b + 1, a + 1],
-                [2 * SIDES, b, a],
-                [2 * SIDES + 1, a + 1, b + 1],
-            ]
+        let chains = graph.chains.iter();
+        let level = Level {
+            curves: chains
+                .map(|chain| ChainCurve::new(&ends(chain), &[1.0], false, 0.1))
+                .collect(),
+            sides: (0..2 * graph.chains.len() as u32).map(side).collect(),
+            corners: Vec::new(),
+            least: Vec::new(),
         };
-        let triangles: Vec<[u32; 3]> = (0..SIDES).flat_map(sector).collect();
-        let options = RoundOptions {
-            width: 0.1,
-            ..RoundOptions::default()
-        };
-        let surface = Surface::new(&positions, &triangles).unwrap();
-        let mut graph = CreaseGraph::new(&surface, &options);
-        let level = level(&surface, &graph, &Endings::new(&surface, &graph), &options);
-        let places = [at(0, 0.9), at(7, 0.95)].map(|p| Vector3::from(p) - surface.centre);
+        let [a, b] = ends(&graph.chains[0]);
+        let places = [0.45, 0.55].map(|t| a + (b - a) * t);
         assert!(give_up(&mut graph, &surface, &level, &places));
-        let sharp = graph.chains.iter().filter(|chain| !chain.is_chosen);
-        let places: Vec<_> = sharp.map(|chain| chain.unsolved).collect();
-        assert_eq!(places, [Some(Vector3::from(at(0, 0.9)) - surface.centre)]);
+        let unsolved: Vec<_> = graph.chains.iter().map(|chain| chain.unsolved).collect();
+        assert_eq!(unsolved, [Some(places[0]), None, None, None, None, None]);
+        assert!(graph.sharp_corners.is_empty());
     }
 
     /// Two far tetrahedra; the blends of the second are said to be loose.
     #[test]
     fn loose_blends_have_a_worst_place() {
-        let one = [
-            [1.0, 1.0, 1.0],
-            [1.0, -1.0, -1.0],
-            [-1.0, 1.0, -1.0],
-            [-1.0, -1.0, 1.0],
-        ];
-        let mut positions = one.to_vec();
-        positions.extend(one.map(|[x, y, z]| [x + 9.0, y, z]));
-        let mut triangles = vec![[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
-        triangles.extend(triangles.clone().iter().map(|t| t.map(|v| v + 4)));
+        let mut positions = TETRAHEDRON.to_vec();
+        positions.extend(TETRAHEDRON.map(|[x, y, z]| [x + 9.0, y, z]));
+        let mut triangles = FACES.to_vec();
+        triangles.extend(FACES.map(|t| t.map(|v| v + 4)));
         let options = RoundOptions {
             width: 0.1,
             ..RoundOptions::default()
