@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 
 use super::lenses::{Lenses, is_wide};
 use super::patch::{GRADE, Patch};
-use super::relax::{Sweeps, turns_over};
+use super::relax::{Sweeps, settle_sizes, turns_over};
 use crate::mesh::NONE;
 use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::halfedge::{next, previous};
@@ -155,7 +155,7 @@ impl<'a> Refiner<'a> {
             self.collapse_short();
             self.clear_boundary();
             self.flip_all();
-            self.settle_sizes(1);
+            settle_sizes(self.patch, 1);
             self.sweeps.relax(self.patch, &self.lenses);
             self.flip_all();
             let is_bounded = self.fineness.most < most;
@@ -188,13 +188,6 @@ impl<'a> Refiner<'a> {
             self.sweeps.settle_sources(self.patch);
         }
         self.patch.compact();
-    }
-
-    /// Sizes, limits and depths spread from the boundary inwards.
-    pub(super) fn settle_sizes(&mut self, sweeps: usize) {
-        for _ in (0..sweeps).take_while(|_| !is_stopped()) {
-            self.sweeps.settle_sizes(self.patch);
-        }
     }
 
     /// The wanted edge length at a vertex. Where it is far shorter than the boundary's edges, which stay as they are, it gets so by

@@ -3,11 +3,13 @@
 //! Sums run over the triangles in their order, and all vertices move at once. Around an inner vertex every neighbour is
 //! once the next corner of a triangle, so that it counts once.
 
+use fairmesh_linear::interrupt::is_stopped;
 use nalgebra::Vector3;
 
 use super::lenses::Lenses;
 use super::patch::{GRADE, Patch};
 use crate::mesh::NONE;
+use crate::mesh::rows::Rows;
 
 /// Vertices whose triangles would turn over are held back in at most so many rounds; if that is not enough, nothing moves.
 /// Half or double, of 44 cases: none changes.
@@ -24,8 +26,6 @@ pub(super) struct Sweeps {
     cross: Vec<Vector3<f64>>,
     /// Per vertex where it goes.
     target: Vec<Vector3<f64>>,
-    /// Per vertex: sum of sizes, their number, least limit and depth.
-    size: Vec<[f64; 4]>,
 }
 
 impl Sweeps {
@@ -99,33 +99,6 @@ impl Sweeps {
         held
     }
 
-    /// Sizes of inner vertices become more harmonic; limits and depths are made anew from the neighbours'.
-    pub(super) fn settle_sizes(&mut self, patch: &mut Patch) {
-        self.size.clear();
-        self.size
-            .resize(patch.x.len(), [0.0, 0.0, f64::INFINITY, f64::INFINITY]);
-        for t in patch.triangles.iter().filter(|t| t[0] != NONE) {
-            let corner = t.map(|v| v as usize);
-            for k in 0..3 {
-                let (v, w) = (corner[k], corner[(k + 1) % 3]);
-                let length = (patch.x[w] - patch.x[v]).norm();
-                let [size, count, limit, depth] = &mut self.size[v];
-                *size += patch.size[w];
-                *count += 1.0;
-                *limit = limit.min(patch.limit[w] + GRADE * length);
-                *depth = depth.min(patch.depth[w] + length);
-            }
-        }
-        for v in patch.fixed..patch.x.len() {
-            let [size, count, limit, depth] = self.size[v];
-            if count > 0.0 {
-                patch.size[v] = size / count;
-                patch.limit[v] = limit.min(patch.own[v]);
-                patch.depth[v] = depth;
-            }
-        }
-    }
-
     /// The places on the source surface follow the vertices: each becomes the mean of its neighbours'.
     pub(super) fn settle_sources(&mut self, patch: &mut Patch) {
         self.centre.clear();
@@ -143,6 +116,44 @@ impl Sweeps {
                 patch.source[v] = centre / count;
             }
         }
+    }
+}
+
+/// Sizes of inner vertices become more harmonic in every sweep; limits and depths are made anew from the neighbours'.
+pub(super) fn settle_sizes(patch: &mut Patch, sweeps: usize) {
+    let x = &patch.x;
+    let edges = patch.triangles.iter().filter(|t| t[0] != NONE).flat_map(|&t| {
+        let along = move |k: usize| (t[k], t[(k + 1) % 3]);
+        (0..3).map(along).filter(|(v, _)| *v as usize >= patch.fixed)
+    });
+    let neighbours = Rows::collect(
+        x.len(),
+        edges.map(|(v, w)| (v, (w, (x[w as usize] - x[v as usize]).norm()))),
+    );
+    let at = |v: usize| [patch.size[v], patch.limit[v], patch.depth[v]];
+    let mut settled: Vec<_> = (0..x.len()).map(at).collect();
+    let mut next = settled.clone();
+    for _ in (0..sweeps).take_while(|_| !is_stopped()) {
+        for v in (patch.fixed..x.len()).filter(|&v| !neighbours.row(v).is_empty()) {
+            let mut of = [0.0, f64::INFINITY, f64::INFINITY];
+            for &(w, length) in neighbours.row(v) {
+                let [size, limit, depth] = settled[w as usize];
+                of = [
+                    of[0] + size,
+                    of[1].min(limit + GRADE * length),
+                    of[2].min(depth + length),
+                ];
+            }
+            next[v] = [
+                of[0] / neighbours.row(v).len() as f64,
+                of[1].min(patch.own[v]),
+                of[2],
+            ];
+        }
+        std::mem::swap(&mut settled, &mut next);
+    }
+    for (v, of) in settled.into_iter().enumerate().skip(patch.fixed) {
+        [patch.size[v], patch.limit[v], patch.depth[v]] = of;
     }
 }
 
@@ -218,7 +229,7 @@ mod tests {
             patch.size[v] = patch.x[v].x + 2.0 * patch.x[v].y;
         }
         let sizes = patch.size.clone();
-        (0..3).for_each(|_| Sweeps::default().settle_sizes(&mut patch));
+        settle_sizes(&mut patch, 3);
         // A linear function is harmonic here.
         assert_all!(patch.size.iter().zip(&sizes), |(a, b)| (a - b).abs() < 1e-12);
         assert_near!(patch.depth[24], 1.0, 1e-12);

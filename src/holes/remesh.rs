@@ -5,6 +5,7 @@ use fairmesh_linear::interrupt::is_stopped;
 use super::parents::{Parents, parents};
 use super::patch::Patch;
 use super::refine::{Fineness, Refiner};
+use super::relax::settle_sizes;
 use crate::fairing::{ProgressCallback, on_workers_unless_stopped};
 use crate::holes::layout::limit;
 use crate::mesh::coincident::{Coincident, Copies};
@@ -175,9 +176,8 @@ fn remesh(
     // Sweeps take as long for a vertex that there is as refinement for one that is made.
     let made = 0.5 * options.density * options.density;
     let settled = READ + (REFINED - READ) / (1.0 + made);
-    let mut settling = Refiner::new(&mut patch, fineness, &taken);
     for k in 1..=PARTS {
-        settling.settle_sizes(SWEEPS / PARTS);
+        settle_sizes(&mut patch, SWEEPS / PARTS);
         tell(READ + (settled - READ) * k as f64 / PARTS as f64);
     }
     let mut part = |fraction| tell(settled + (REFINED - settled) * fraction);

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use super::formulation::Formulation;
 use super::iterate_options::IterationStatus;
 use super::result::TrialEnd;
+use super::rivals::may_have_rival;
 use super::system::System;
 use crate::discrete::equations::State;
 use crate::quality::NEEDLE;
@@ -50,10 +51,10 @@ pub(crate) struct Candidate {
     pub creases: usize,
     /// So many boundary normals are told to be probably flipped, by what this surface is beside them.
     pub suspicious_normals: usize,
-    /// Its bending energy, the integral of `H^2`,
+    /// Its bending energy, the integral of `H^2`.
     pub bending_energy: f64,
-    /// and its total curvature, that of `kappa_1^2 + kappa_2^2`.
-    pub total_curvature: f64,
+    /// There may be another surface that solves the same ([`super::rivals`]).
+    pub may_have_rival: bool,
     /// All that is wrong are needles that the start has, too, and that no repair of the weights widens: they come from the
     /// connectivity, such as at the pole of a sphere with hundreds of meridians. No other attempt would end without.
     pub needles_from_input: bool,
@@ -74,7 +75,7 @@ impl Candidate {
         let domain = &system.domain;
         Self {
             bending_energy: bending_energy(system.state()),
-            total_curvature: total_curvature(system.state()),
+            may_have_rival: may_have_rival(&x, system.state(), &domain.rings),
             creases: creases_by_outside(&kinks_as_given(&surface, &domain.rings, &domain.input)),
             folds: Folds {
                 surface: &surface,
@@ -179,12 +180,4 @@ impl Candidate {
 pub(crate) fn bending_energy(state: &State) -> f64 {
     let vertices = state.h.iter().zip(&state.area);
     vertices.map(|(h, area)| area / 3.0 * h * h).sum()
-}
-
-/// The same of `kappa_1^2 + kappa_2^2`.
-fn total_curvature(state: &State) -> f64 {
-    let vertices = state.h.iter().zip(&state.k).zip(&state.area);
-    vertices
-        .map(|((h, k), area)| area / 3.0 * (4.0 * h * h - 2.0 * k))
-        .sum()
 }

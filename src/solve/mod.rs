@@ -31,6 +31,7 @@ pub(crate) mod procedure;
 pub(crate) mod quasi_newton;
 mod regain;
 pub(crate) mod result;
+mod rivals;
 mod soft_mode;
 pub(crate) mod step;
 pub(crate) mod system;
