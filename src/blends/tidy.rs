@@ -141,10 +141,15 @@ fn shorten(cut: &mut Cut<'_>) {
         }
         let mut ways = [h, cut.sheet.across(h)];
         for turned in 0..=TURNS {
-            let all = ways.map(|g| (moves(cut, g, NEEDLE), g));
-            let way = if all[0].0 <= all[1].0 { all[0] } else { all[1] };
-            if way.0 <= MOVES * wanted {
-                cut.sheet.collapse(way.1);
+            let by = ways.map(|g| moves(cut, g, NEEDLE));
+            // Of two that move nothing always the first would be one edge that takes up all behind it.
+            let is_second = match (by[0] - by[1]).abs() <= STAYS * wanted {
+                true => beside(cut, ways[1]) < beside(cut, ways[0]),
+                false => by[1] < by[0],
+            };
+            let k = usize::from(is_second);
+            if by[k] <= MOVES * wanted {
+                cut.sheet.collapse(ways[k]);
                 break;
             }
             if turned == TURNS {
@@ -156,6 +161,19 @@ fn shorten(cut: &mut Cut<'_>) {
             ways = [h, cut.sheet.across(h)];
         }
     }
+}
+
+/// The squared length of the longest edge of a rail or of the line of a mitre that starts where `h` does, besides `h`.
+fn beside(cut: &Cut<'_>, h: u32) -> f64 {
+    let sheet = &cut.sheet;
+    let mut longest = 0.0_f64;
+    sheet.fan(h, |g| {
+        let o = sheet.across(g);
+        if g != h && (is_rail(cut, g) || o != NONE && is_rail(cut, o) || cut.is_mitre(g)) {
+            longest = longest.max(sheet.squared_length(g));
+        }
+    });
+    longest
 }
 
 /// Turns one edge that ends where `h` starts, so that fewer triangles are there: `h` as it is called then. None if none can be turned.

@@ -16,7 +16,7 @@ const BEND: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// A triangle of less area, against the square of an edge, has none: rounding makes 1e-16. Of 280 vertices outside of their triangles, in its
 /// plane, as many are refined at a thousandth; half or double the same.
-const NO_AREA: f64 = 1e-9;
+pub(super) const NO_AREA: f64 = 1e-9;
 
 impl Refiner<'_> {
     /// Splits an edge, and flips around the new vertex; the half-edges that are new.

@@ -9,6 +9,7 @@ use std::collections::BinaryHeap;
 use fairmesh_linear::interrupt::{checkpoint, is_stopped};
 use nalgebra::Vector3;
 
+use super::flips::NO_AREA;
 use super::lenses::{Lenses, is_wide};
 use super::patch::{GRADE, Patch};
 use super::relax::{Sweeps, settle_sizes, turns_over};
@@ -242,7 +243,7 @@ impl<'a> Refiner<'a> {
             if !self.is_inner(h) || self.patch.origin(h) != a || self.patch.target(h) != b {
                 continue;
             }
-            if self.would_encroach(h) {
+            if self.would_encroach(h) || self.is_beside_line(h) {
                 continue;
             }
             if inner >= self.fineness.most || is_stopped() {
@@ -257,6 +258,15 @@ impl<'a> Refiner<'a> {
             }
         }
         true
+    }
+
+    /// Whether a triangle beside an edge has no area: its third corner may be where the edge would be split, and so on without end.
+    fn is_beside_line(&self, h: u32) -> bool {
+        let none = NO_AREA * self.patch.length(h).powi(2);
+        let beside = [h, self.patch.across(h)];
+        beside
+            .into_iter()
+            .any(|g| self.patch.cross(g as usize / 3).norm() <= none)
     }
 
     /// Where edges across the hole keep inner vertices apart, splits them: either side would be faired by itself, and take the other
@@ -494,5 +504,29 @@ mod tests {
             patch.validate().unwrap();
             assert_below!(patch.inner_vertices(), 300);
         }
+    }
+
+    #[test]
+    fn an_edge_between_triangles_without_area_is_not_split_for_ever() {
+        // Two inner vertices lie on an edge of the boundary.
+        let x = [
+            [0.0, 0.0],
+            [1.0, 0.0],
+            [1.0, 1.0],
+            [0.0, 1.0],
+            [0.5, 0.0],
+            [0.25, 0.0],
+        ];
+        let triangles = vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [0, 4, 5], [4, 3, 5], [3, 0, 5]];
+        let mut patch = Patch::new(x.map(|[x, y]| Vector3::new(x, y, 0.0)).to_vec(), triangles, 4);
+        patch.size.fill(0.2);
+        let fineness = Fineness {
+            factor: 1.0,
+            growth: 0.0,
+            most: 10_000,
+        };
+        Refiner::new(&mut patch, fineness, &[]).run();
+        patch.validate().unwrap();
+        assert_below!(patch.inner_vertices(), 100);
     }
 }

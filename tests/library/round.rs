@@ -194,6 +194,20 @@ fn divided_cube(n: u32) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     (positions, triangles)
 }
 
+/// Short edges of rails once went all into one, ten times as long as the others.
+#[test]
+fn blends_do_not_depend_on_how_fine_the_faces_are() {
+    let coarse = rounded(&cube(), 0.3);
+    for n in [20, 60] {
+        let fine = rounded(&divided_cube(n), 0.3);
+        assert!(fine.is_complete(), "{n}: {:?}", fine.report.outcome);
+        let [a, b] = [&coarse, &fine].map(|mesh| mesh.free.len() as f64);
+        assert!((b / a - 1.0).abs() < 0.3, "{n}: {a} and {b} vertices");
+        assert_below!(fine.report.iterations, 15);
+        assert_below!(widest_bend(&fine), 20.0);
+    }
+}
+
 /// How far parts of triangles on one side of x = 0 reach over to the other.
 fn reaches_over(labels: Vec<u32>) -> f64 {
     let (positions, triangles) = divided_cube(2);
