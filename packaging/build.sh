@@ -50,8 +50,9 @@ build() {
         RUSTFLAGS="$RUSTFLAGS -C link-arg=-Wl,-x"
         [ "$(uname -s)" = Darwin ] || install_apple_linker "$triple"
         ;;
-    # All browsers have SIMD since 2023, Node since 16.4: a third less time, and the same bits.
-    wasm32) RUSTFLAGS="$RUSTFLAGS -C target-feature=+simd128 -C link-arg=--strip-all" ;;
+    # All browsers have SIMD since 2023, Node since 16.4: a third less time, and the same bits. LLVM inlines up to 225 by itself: 4 % more
+    # bytes, gzipped, and no less time; at 100 half of that.
+    wasm32) RUSTFLAGS="$RUSTFLAGS -C target-feature=+simd128 -C link-arg=--strip-all -C llvm-args=-inline-threshold=50" ;;
     windows-*)
         need x86_64-w64-mingw32-gcc gcc-mingw-w64-x86-64
         RUSTFLAGS="$RUSTFLAGS -C link-arg=-Wl,--no-insert-timestamp"

@@ -25,7 +25,7 @@ triple=wasm32-unknown-unknown
 rustup target list --installed | grep -qx $triple || rustup target add $triple
 
 # As packaging/build.sh does.
-(cd "$root" && RUSTFLAGS="-C target-feature=+simd128 -C link-arg=--strip-all" cargo build --release --locked --quiet --target $triple -p fairmesh-capi \
+(cd "$root" && RUSTFLAGS="-C target-feature=+simd128 -C link-arg=--strip-all -C llvm-args=-inline-threshold=50" cargo build --release --locked --quiet --target $triple -p fairmesh-capi \
     --config 'profile.release.lto="fat"')
 run=$target/web/run
 rm -rf "$run"
