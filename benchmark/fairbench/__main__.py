@@ -115,6 +115,10 @@ def compared(rows: list[Row]) -> int:
     """Fails where a class got worse than the committed results of the same cases."""
     told = [Row(**each) for each in json.loads(RESULTS.read_text())["runs"]]
     before = {(each.problem(), each.program): each for each in told}
+    new = sorted(f"{each.case} {each.program}" for each in rows if (each.problem(), each.program) not in before)
+    if new:
+        print(f"No committed results of {', '.join(new)}: run benchmark/run.sh without --quick.")
+        return 1
     classes = sorted({(each.family, each.task, each.program) for each in rows})
     worse = 0
     for family, task, program in classes:
