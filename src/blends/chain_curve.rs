@@ -24,7 +24,8 @@ pub(super) const FLATTEST: f64 = 0.1;
 /// Points to each side of one that it is fitted to: half a width.
 const WINDOW: usize = 4;
 /// Points to each side among which the nearest is looked for.
-const NEAR: i64 = 6;
+/// Half or double, of 13 solids cut from each other: all stay sound, with as many vertices to 1 %.
+pub(super) const NEAR: i64 = 6;
 
 /// Where on a curve a point is nearest.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -7,6 +7,7 @@ use crate::mesh::rows::Rows;
 /// more than 30 degrees in place of 61.
 const WEAKER: f64 = 0.6;
 /// A crease turns by less than this (the cosine) from edge to edge; where it turns more is a corner.
+/// Half: of 13 solids cut from each other none changes.
 pub(super) const TURN: f64 = 0.7;
 
 /// Adds the edges between such ends to the creases; per half-edge, as are the bends, in degrees.

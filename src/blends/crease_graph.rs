@@ -50,6 +50,7 @@ impl Chain {
 }
 
 /// Triangles that are thinner than this, height over longest edge, tell nothing where coordinates are rounded to single precision.
+/// Half or double, of 13 solids cut from each other: none changes.
 const THIN: f64 = 1e-4;
 /// Where a surface bends by so many degrees and more, its sides lie almost on each other: the ball between them vanishes, and so do the edges of a blend.
 /// Edges of a prism alone: of 14 degrees between its sides and less none gets a sound blend, after 15 to 59 s with up to 210,000 triangles; of 15 and 20 they
@@ -57,6 +58,7 @@ const THIN: f64 = 1e-4;
 /// degrees stay sharp that need not.
 const FOLDED: f64 = 166.0;
 /// Thin triangles beside each other that are looked behind.
+/// Half or double, of 13 solids cut from each other: none changes.
 const STEPS: usize = 8;
 
 /// Unit normals. A triangle that is as thin as rounding has that of the one across its longest edge.
@@ -163,6 +165,7 @@ fn bends(surface: &Surface<'_>, normals: &[Vector3<f64>]) -> Vec<f64> {
 }
 
 /// Bends that are as good as none, and those at which a gap is looked for, degrees.
+/// Half or double, of 13 solids cut from each other: none changes.
 const SMOOTH: f64 = 10.0;
 const GAP: [f64; 2] = [15.0, 60.0];
 

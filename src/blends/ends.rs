@@ -6,8 +6,10 @@ use super::surface::Surface;
 use super::through::Through;
 
 /// Over so many widths a band fades out.
+/// Half or double, of 13 solids cut from each other: none changes.
 const FADE: f64 = 2.0;
 /// Two bands on one face take at most this part of what is between their creases each: of the distance, and of the angle where both fade out.
+/// Half or double, of 13 solids cut from each other: all stay sound, with 4 % more vertices or 1 % fewer.
 pub(super) const SHARE: f64 = 0.42;
 
 pub(super) struct Ends<'a> {

@@ -8,6 +8,7 @@ use crate::holes::Parents;
 use crate::mesh::halfedge;
 
 /// Bends below this (radians) are none: a plane's normal is exact.
+/// Half: of 13 solids cut from each other one keeps two creases sharp; double: all stay sound.
 const FLAT: f64 = 1e-6;
 
 pub(super) struct FaceNormals<'a> {

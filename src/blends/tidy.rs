@@ -33,9 +33,10 @@ const TURNED: f64 = 0.5;
 pub(super) fn tidy(cut: &mut Cut<'_>) {
     let given = cut.given as u32;
     for _ in 0..ROUNDS {
-        flip(cut, given);
-        shorten(cut);
-        thin_faces(cut, given);
+        let is_changed = [flip(cut, given), shorten(cut), thin_faces(cut, given)];
+        if !is_changed.contains(&true) {
+            return;
+        }
     }
 }
 
@@ -50,9 +51,9 @@ fn is_rail(cut: &Cut<'_>, h: u32) -> bool {
     o != NONE && stays(cut, h / 3) && !stays(cut, o / 3)
 }
 
-/// Turns edges of faces towards Delaunay at needles that cuts have made.
-fn flip(cut: &mut Cut<'_>, given: u32) {
-    for _ in 0..ROUNDS {
+/// Turns edges of faces towards Delaunay at needles that cuts have made. Whether there were any, as below.
+fn flip(cut: &mut Cut<'_>, given: u32) -> bool {
+    for round in 0..ROUNDS {
         let mut flips = 0;
         for h in 0..3 * cut.sheet.triangles.len() as u32 {
             checkpoint();
@@ -70,9 +71,10 @@ fn flip(cut: &mut Cut<'_>, given: u32) {
             }
         }
         if flips == 0 {
-            return;
+            return round > 0;
         }
     }
+    true
 }
 
 /// Whether an edge of a face can be turned, one of its triangles is a needle, and the other diagonal is Delaunay.
@@ -127,7 +129,8 @@ fn keeps_labels(cut: &Cut<'_>, h: u32) -> bool {
 }
 
 /// Takes short edges of rails and of the lines of mitres away.
-fn shorten(cut: &mut Cut<'_>) {
+fn shorten(cut: &mut Cut<'_>) -> bool {
+    let mut is_changed = false;
     for h in 0..3 * cut.sheet.triangles.len() as u32 {
         checkpoint();
         if !cut.sheet.is_there(h / 3) || !is_rail(cut, h) && !cut.is_mitre(h) {
@@ -150,6 +153,7 @@ fn shorten(cut: &mut Cut<'_>) {
             let k = usize::from(is_second);
             if by[k] <= MOVES * wanted {
                 cut.sheet.collapse(ways[k]);
+                is_changed = true;
                 break;
             }
             if turned == TURNS {
@@ -159,8 +163,10 @@ fn shorten(cut: &mut Cut<'_>) {
                 break;
             };
             ways = [h, cut.sheet.across(h)];
+            is_changed = true;
         }
     }
+    is_changed
 }
 
 /// The squared length of the longest edge of a rail or of the line of a mitre that starts where `h` does, besides `h`.
@@ -294,7 +300,8 @@ fn thinness(at: &Vector3<f64>, ends: &[Vector3<f64>; 2], cross: &Vector3<f64>) -
 }
 
 /// Takes away vertices inside faces that were put there for the cuts.
-fn thin_faces(cut: &mut Cut<'_>, given: u32) {
+fn thin_faces(cut: &mut Cut<'_>, given: u32) -> bool {
+    let mut is_changed = false;
     for h in 0..3 * cut.sheet.triangles.len() as u32 {
         checkpoint();
         if !cut.sheet.is_there(h / 3) || cut.sheet.origin(h) < given {
@@ -308,6 +315,8 @@ fn thin_faces(cut: &mut Cut<'_>, given: u32) {
         let length = cut.sheet.squared_length(h).sqrt();
         if moves(cut, h, SHARP) <= STAYS * length {
             cut.sheet.collapse(h);
+            is_changed = true;
         }
     }
+    is_changed
 }
