@@ -2,6 +2,7 @@
 
 use fairmesh_linear::interrupt::is_stopped;
 
+use super::patch::NO_AREA;
 use super::refine::Refiner;
 use crate::mesh::NONE;
 use crate::mesh::halfedge::next;
@@ -13,10 +14,6 @@ const MOST_FLIPS: usize = 40;
 /// Of 42 cases, half: 7 change, 5 get another triangulation, +1 % iterations, 1 fails;
 /// double: 39 change, 35 get another triangulation, -1 % iterations, 1 fails.
 const BEND: f64 = std::f64::consts::FRAC_1_SQRT_2;
-
-/// A triangle of less area, against the square of an edge, has none: rounding makes 1e-16. Of 280 vertices outside of their triangles, in its
-/// plane, as many are refined at a thousandth; half or double the same.
-pub(super) const NO_AREA: f64 = 1e-9;
 
 impl Refiner<'_> {
     /// Splits an edge, and flips around the new vertex; the half-edges that are new.

@@ -9,9 +9,8 @@ use std::collections::BinaryHeap;
 use fairmesh_linear::interrupt::{checkpoint, is_stopped};
 use nalgebra::Vector3;
 
-use super::flips::NO_AREA;
 use super::lenses::{Lenses, is_wide};
-use super::patch::{GRADE, Patch};
+use super::patch::{GRADE, NO_AREA, Patch};
 use super::relax::{Sweeps, settle_sizes, turns_over};
 use crate::mesh::NONE;
 use crate::mesh::disjoint_sets::DisjointSets;
