@@ -23,7 +23,7 @@ pub(super) const LEAVES: f64 = 1e-6;
 /// Half or double, of 13 solids cut from each other: all stay sound, with as many vertices to 1 %.
 const SHRINKS: f64 = 0.2;
 /// From a place so near on its curve, in points, the nearest one was found already: half of what is looked at to each side.
-/// At a third of it seven solids are the same to the last bit.
+/// Half or double, of 13 solids cut from each other: none changes.
 const SEEN: f64 = 0.5 * NEAR as f64;
 /// Distances that differ by less, relative, are the same.
 /// Half or double, of 13 solids cut from each other: none changes.

@@ -486,22 +486,28 @@ mod tests {
         assert!((area - 1.0).abs() < 1e-12 && worst > 25.0, "{area} {worst}");
     }
 
+    /// How many inner vertices a patch in a plane has after it was refined to edges of this length.
+    fn refined(x: &[[f64; 2]], triangles: Vec<[u32; 3]>, fixed: usize, length: f64) -> usize {
+        let x = x.iter().map(|&[x, y]| Vector3::new(x, y, 0.0)).collect();
+        let mut patch = Patch::new(x, triangles, fixed);
+        patch.size.fill(length);
+        let fineness = Fineness {
+            factor: 1.0,
+            growth: 0.0,
+            most: 10_000,
+        };
+        Refiner::new(&mut patch, fineness, &[]).run();
+        patch.validate().unwrap();
+        patch.inner_vertices()
+    }
+
     #[test]
     fn a_vertex_far_outside_of_its_triangle_in_its_plane_is_not_split_for_ever() {
         // Triangles without area arise on the fold: their normals are noise.
         for (i, j) in (0..40).flat_map(|i| (0..7).map(move |j| (i, j))) {
             let out = [1.0 + 0.05 * f64::from(i), 0.1 + 0.02 * f64::from(j)];
-            let x = [[0.0, 0.0], [1.0, 0.0], [0.1, 0.4], out].map(|[x, y]| Vector3::new(x, y, 0.0));
-            let mut patch = Patch::new(x.to_vec(), vec![[0, 1, 3], [1, 2, 3], [2, 0, 3]], 3);
-            patch.size.fill(0.3);
-            let fineness = Fineness {
-                factor: 1.0,
-                growth: 0.0,
-                most: 10_000,
-            };
-            Refiner::new(&mut patch, fineness, &[]).run();
-            patch.validate().unwrap();
-            assert_below!(patch.inner_vertices(), 300);
+            let x = [[0.0, 0.0], [1.0, 0.0], [0.1, 0.4], out];
+            assert_below!(refined(&x, vec![[0, 1, 3], [1, 2, 3], [2, 0, 3]], 3, 0.3), 300);
         }
     }
 
@@ -517,15 +523,6 @@ mod tests {
             [0.25, 0.0],
         ];
         let triangles = vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [0, 4, 5], [4, 3, 5], [3, 0, 5]];
-        let mut patch = Patch::new(x.map(|[x, y]| Vector3::new(x, y, 0.0)).to_vec(), triangles, 4);
-        patch.size.fill(0.2);
-        let fineness = Fineness {
-            factor: 1.0,
-            growth: 0.0,
-            most: 10_000,
-        };
-        Refiner::new(&mut patch, fineness, &[]).run();
-        patch.validate().unwrap();
-        assert_below!(patch.inner_vertices(), 100);
+        assert_below!(refined(&x, triangles, 4, 0.2), 100);
     }
 }
