@@ -150,13 +150,25 @@ impl<'a> Cut<'a> {
     /// Whether a rail may pass a triangle, which is longer than the rail's edges are to be.
     fn is_too_long(&self, t: u32, length: f64) -> bool {
         let corners = self.sheet.triangles[t as usize];
-        let nearest = corners.iter().map(|&v| self.value[v as usize].abs());
-        let wanted = corners.iter().filter_map(|&v| self.wanted(v));
-        let (nearest, wanted) = (
-            nearest.fold(f64::INFINITY, f64::min),
-            wanted.fold(f64::INFINITY, f64::min),
-        );
-        length > wanted && nearest < length
+        let nearest_sides = corners.map(|v| self.level.nearest(&self.near[v as usize]));
+        let least = |of: &dyn Fn(&Entry) -> f64| {
+            nearest_sides
+                .iter()
+                .flatten()
+                .map(|side| of(side))
+                .fold(f64::INFINITY, f64::min)
+        };
+        if length <= least(&|side| self.level.edge_length(side)) {
+            return false;
+        }
+        let values = corners.map(|v| self.value[v as usize]);
+        let distance = values.map(f64::abs).into_iter().fold(f64::INFINITY, f64::min);
+        let is_on_one_side = values.iter().all(|v| *v > 0.0) || values.iter().all(|v| *v < 0.0);
+        let most = match is_on_one_side {
+            true => dip(least(&|side| self.level.width(side)), length),
+            false => length,
+        };
+        distance < most
     }
 
     /// The edge length that is wanted at a vertex near a rail.
@@ -394,4 +406,10 @@ impl<'a> Cut<'a> {
         }
         crossing(low, high)
     }
+}
+
+/// How near to a rail the ends of an edge may be that it does not pass: a rail around the end of a crease is a circle of the band's width, and dips so far
+/// below a chord.
+fn dip(width: f64, chord: f64) -> f64 {
+    libm::hypot(width, 0.5 * chord) - width
 }

@@ -126,13 +126,18 @@ impl Level {
         entries.iter().min_by(|a, b| a.excess.total_cmp(&b.excess))
     }
 
+    /// How wide the band is at a place on a side; towards an end it does not vanish.
+    pub(super) fn width(&self, entry: &Entry) -> f64 {
+        let widest = self.sides[entry.side as usize].widest;
+        (entry.distance - entry.excess).max(LEAST * widest)
+    }
+
     /// How long edges of the band are to be near a place on a side: the arc of a ball that touches both faces there is divided into [`PARTS`].
     pub(super) fn edge_length(&self, entry: &Entry) -> f64 {
         let side = &self.sides[entry.side as usize];
         let curve = &self.curves[side.curve as usize];
-        let width = (entry.distance - entry.excess).max(LEAST * side.widest);
         let bend = curve.between(&curve.bends, entry.at);
-        width * bend / libm::tan(0.5 * bend) / PARTS.max(bend / TURN)
+        self.width(entry) * bend / libm::tan(0.5 * bend) / PARTS.max(bend / TURN)
     }
 
     /// Which part of the way from the chord between its rails to the crease the arc of that ball bulges.

@@ -1,5 +1,7 @@
 //! Where blends run out to the boundary of the surface.
 
+use std::collections::BTreeMap;
+
 use nalgebra::Vector3;
 
 use super::arcs::{Arc, arc};
@@ -20,44 +22,55 @@ pub(super) enum Unlaid {
 /// The arcs of the boundary at all ends that have no face across.
 ///
 /// # Errors
-/// A band for which there is none.
+/// The ends for which there is none, or else the creases whose bands reach over the boundary beside them.
 pub(super) fn rims(
     cut: &Cut<'_>,
     through: &[Through],
     normals: &FaceNormals<'_>,
-) -> Result<Vec<Arc>, Unlaid> {
+) -> Result<Vec<Arc>, Vec<Unlaid>> {
     let ends: Vec<&Through> = through.iter().filter(|of| of.face.is_none()).collect();
     let from = outgoing(cut, ends.iter().map(|of| of.vertex));
     let mut is_laid = vec![false; cut.sheet.x.len()];
-    let mut rims = Vec::new();
+    let (mut rims, mut unlaid) = (Vec::new(), Vec::new());
     for of in ends {
-        let unlaid = || Unlaid::End {
-            vertex: of.vertex,
-            place: cut.sheet.x[of.vertex as usize],
-        };
-        let [Some(first), Some(last)] = of.ways().map(|way| Leg::new(cut, of.vertex, way, &from)) else {
-            return Err(unlaid());
-        };
-        let rim = arc(cut, [&first, &last], normals).ok_or_else(unlaid)?;
-        for (v, _) in &rim[1..rim.len() - 1] {
-            if std::mem::replace(&mut is_laid[*v as usize], true) {
-                return Err(unlaid());
-            }
+        match rim(cut, of, normals, &from).filter(|rim| lay(rim, &mut is_laid)) {
+            Some(rim) => rims.push(rim),
+            None => unlaid.push(Unlaid::End {
+                vertex: of.vertex,
+                place: cut.sheet.x[of.vertex as usize],
+            }),
         }
-        rims.push(rim);
     }
-    beside(cut, &is_laid).map_or(Ok(rims), Err)
+    if unlaid.is_empty() {
+        unlaid = beside(cut, &is_laid);
+    }
+    if unlaid.is_empty() { Ok(rims) } else { Err(unlaid) }
 }
 
-/// A band with vertices on the boundary that are none of a rim's.
-fn beside(cut: &Cut<'_>, is_laid: &[bool]) -> Option<Unlaid> {
+/// The arc of the boundary around an end, from rail to rail.
+fn rim(cut: &Cut<'_>, of: &Through, normals: &FaceNormals<'_>, from: &BTreeMap<u32, u32>) -> Option<Arc> {
+    let [first, last] = of.ways().map(|way| Leg::new(cut, of.vertex, way, from));
+    arc(cut, [&first?, &last?], normals)
+}
+
+/// Whether no other rim has a vertex of this one; it has them then.
+fn lay(rim: &Arc, is_laid: &mut [bool]) -> bool {
+    let mut inside = rim[1..rim.len() - 1].iter();
+    inside.all(|&(v, _)| !std::mem::replace(&mut is_laid[v as usize], true))
+}
+
+/// Bands with vertices on the boundary that are none of a rim's: each with the first one.
+fn beside(cut: &Cut<'_>, is_laid: &[bool]) -> Vec<Unlaid> {
     let sheet = &cut.sheet;
     let all = (0..3 * sheet.triangles.len() as u32).filter(|h| sheet.is_there(h / 3));
-    let mut on_boundary = all.filter(|&h| sheet.across(h) == NONE).map(|h| sheet.origin(h));
-    let v = on_boundary.find(|&v| cut.value[v as usize] < 0.0 && !is_laid[v as usize])?;
-    let nearest = cut.level.nearest(&cut.near[v as usize])?;
-    Some(Unlaid::Beside {
-        chain: cut.level.sides[nearest.side as usize].curve as usize,
-        place: sheet.x[v as usize],
-    })
+    let on_boundary = all.filter(|&h| sheet.across(h) == NONE).map(|h| sheet.origin(h));
+    let mut places = BTreeMap::new();
+    for v in on_boundary.filter(|&v| cut.value[v as usize] < 0.0 && !is_laid[v as usize]) {
+        if let Some(nearest) = cut.level.nearest(&cut.near[v as usize]) {
+            let chain = cut.level.sides[nearest.side as usize].curve as usize;
+            places.entry(chain).or_insert(sheet.x[v as usize]);
+        }
+    }
+    let of = |(chain, place)| Unlaid::Beside { chain, place };
+    places.into_iter().map(of).collect()
 }

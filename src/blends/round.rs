@@ -15,14 +15,14 @@ use super::legs::divide;
 use super::level::{Level, Side};
 use super::mitres::trace;
 use super::options::RoundOptions;
-use super::rims::{Unlaid, rims};
+use super::rims::rims;
 use super::rounded::{CreaseChain, Rounded};
 use super::sheet::Sheet;
 use super::surface::Surface;
 use super::telling::Telling;
 use super::through::Through;
 use super::tidy::tidy;
-use super::unsolved::{give_up, give_up_faded, worst_places};
+use super::unsolved::{give_up, give_up_faded, give_up_unlaid, worst_places};
 use super::widths::Widths;
 use crate::fairing::{ProgressCallback, on_workers};
 use crate::mesh::Joined;
@@ -155,13 +155,8 @@ fn rounded(
         };
         let rims = match rims(&cut, &endings.through, &normals) {
             Ok(rims) => rims,
-            Err(Unlaid::End { vertex, place }) => {
-                graph.sharp_corners.push((vertex, place));
-                continue;
-            }
-            Err(Unlaid::Beside { chain, place }) => {
-                graph.chains[chain].is_chosen = false;
-                graph.chains[chain].unsolved = Some(place);
+            Err(unlaid) => {
+                unlaid.into_iter().for_each(|of| give_up_unlaid(&mut graph, of));
                 check_size(&surface, &graph, options)?;
                 continue;
             }

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use super::crease_graph::CreaseGraph;
 use super::facets::Facets;
 use super::level::Level;
+use super::rims::Unlaid;
 use super::rounded::Rounded;
 use super::surface::Surface;
 use crate::fairing::{LooseReason, Outcome};
@@ -52,6 +53,17 @@ pub(super) fn give_up_faded(graph: &mut CreaseGraph, level: &Level) -> bool {
         }
     }
     is_any
+}
+
+/// Lets a corner at the boundary, or a crease beside it, stay sharp.
+pub(super) fn give_up_unlaid(graph: &mut CreaseGraph, unlaid: Unlaid) {
+    match unlaid {
+        Unlaid::End { vertex, place } => graph.sharp_corners.push((vertex, place)),
+        Unlaid::Beside { chain, place } => {
+            graph.chains[chain].is_chosen = false;
+            graph.chains[chain].unsolved = Some(place);
+        }
+    }
 }
 
 /// The crease that is nearest to a place.
