@@ -177,6 +177,11 @@ impl<'a> Cut<'a> {
         Some(self.level.edge_length(nearest))
     }
 
+    /// Whether a vertex is on a rail of no side: the band goes on from another face, which tells nothing of where it ends on this one.
+    pub(super) fn is_lost(&self, v: u32) -> bool {
+        self.value[v as usize] == 0.0 && self.near[v as usize].is_empty()
+    }
+
     /// Which part of the way from the chord between its rails to the crease a blend bulges at a vertex in a band.
     pub(super) fn bulge(&self, v: u32) -> f64 {
         let nearest = self.level.nearest(&self.near[v as usize]);

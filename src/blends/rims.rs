@@ -15,7 +15,7 @@ use crate::mesh::NONE;
 pub(super) enum Unlaid {
     /// A crease ends there, and the rails do not go around that end.
     End { vertex: u32, place: Vector3<f64> },
-    /// It reaches over the boundary beside its crease.
+    /// It reaches over the boundary beside its crease, or over another crease to a face that is not its own.
     Beside { chain: usize, place: Vector3<f64> },
 }
 
@@ -59,14 +59,21 @@ fn lay(rim: &Arc, is_laid: &mut [bool]) -> bool {
     inside.all(|&(v, _)| !std::mem::replace(&mut is_laid[v as usize], true))
 }
 
-/// Bands with vertices on the boundary that are none of a rim's: each with the first one.
+/// Bands that reach too far, each with the first place where one does.
 fn beside(cut: &Cut<'_>, is_laid: &[bool]) -> Vec<Unlaid> {
     let sheet = &cut.sheet;
-    let all = (0..3 * sheet.triangles.len() as u32).filter(|h| sheet.is_there(h / 3));
-    let on_boundary = all.filter(|&h| sheet.across(h) == NONE).map(|h| sheet.origin(h));
+    let inside = |v: u32| (cut.value[v as usize] < 0.0).then_some(v);
     let mut places = BTreeMap::new();
-    for v in on_boundary.filter(|&v| cut.value[v as usize] < 0.0 && !is_laid[v as usize]) {
-        if let Some(nearest) = cut.level.nearest(&cut.near[v as usize]) {
+    for h in (0..3 * sheet.triangles.len() as u32).filter(|h| sheet.is_there(h / 3)) {
+        let v = sheet.origin(h);
+        let from = if sheet.across(h) == NONE && !is_laid[v as usize] {
+            inside(v)
+        } else if cut.is_lost(v) {
+            sheet.triangles[h as usize / 3].into_iter().find_map(inside)
+        } else {
+            None
+        };
+        if let Some(nearest) = from.and_then(|v| cut.level.nearest(&cut.near[v as usize])) {
             let chain = cut.level.sides[nearest.side as usize].curve as usize;
             places.entry(chain).or_insert(sheet.x[v as usize]);
         }

@@ -75,6 +75,37 @@ fn a_blend_keeps_before_a_boundary_beside_its_crease() {
     assert!(mesh.kept_vertices.contains(&0) && mesh.kept_vertices.contains(&6));
 }
 
+/// Two folds of five triangles meet at a vertex of the boundary where the faces between them are narrower than any blend. The sheet beside it has a crease that
+/// nothing stands in the way of.
+#[test]
+fn a_blend_keeps_off_faces_that_are_not_its_own() {
+    let (mut positions, mut triangles) = folded_sheet(1.0, 0.0);
+    let first = positions.len() as u32;
+    let folds = [
+        [-0.02, 0.32, 0.29],
+        [-0.01, 0.32, 0.31],
+        [0.69, -0.08, 0.25],
+        [0.26, 0.14, 0.19],
+        [0.0, 0.32, 0.4],
+        [0.48, 0.32, 0.13],
+    ];
+    positions.extend(folds.map(|[x, y, z]| [x - 3.0, y, z]));
+    let of_folds = [[0, 1, 5], [1, 4, 5], [3, 0, 5], [3, 1, 0], [1, 2, 4]];
+    triangles.extend(of_folds.map(|t: [u32; 3]| t.map(|v| v + first)));
+    let options = RoundOptions {
+        width: 0.05,
+        ..RoundOptions::default()
+    };
+    let mesh = round(&positions, &triangles, &options).unwrap();
+    assert_eq!(mesh.report.outcome, Outcome::Converged);
+    for chain in &mesh.chains {
+        let is_of_sheet = chain.vertices.iter().all(|&v| v < first);
+        assert_eq!(chain.is_rounded, is_of_sheet, "{chain:?}");
+        assert_eq!(chain.unsolved.is_none(), is_of_sheet, "{chain:?}");
+    }
+    assert_at_least!(mesh.chains.len(), 2);
+}
+
 /// A cylinder that a plane cuts at a slant ends in an ellipse.
 #[test]
 fn a_blend_runs_through_to_a_face_that_leans() {
