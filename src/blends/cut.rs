@@ -1,7 +1,7 @@
 //! Rails cut through the triangles: what stays lies where it was.
 
 use super::chain_curve::NEAR;
-use super::level::{Entry, Level};
+use super::level::{Entry, Level, Size};
 use super::sheet::Sheet;
 use crate::mesh::NONE;
 use crate::mesh::halfedge::next;
@@ -41,6 +41,8 @@ pub(super) struct Cut<'a> {
     labels: &'a [u32],
     /// Per vertex the sides near it.
     pub(super) near: Vec<Vec<Entry>>,
+    /// Per vertex what the nearest of them asks for.
+    sizes: Vec<Option<Size>>,
     /// Per vertex how far outside the band it is.
     pub(super) value: Vec<f64>,
     /// Per triangle whether it is in a band; known when rails are cut.
@@ -55,6 +57,7 @@ impl<'a> Cut<'a> {
     pub(super) fn new(sheet: Sheet, level: &'a Level, (faces, labels): (&'a [u32], &'a [u32])) -> Self {
         Self {
             near: vec![Vec::new(); sheet.x.len()],
+            sizes: vec![None; sheet.x.len()],
             value: vec![f64::INFINITY; sheet.x.len()],
             is_band: Vec::new(),
             is_on_mitre: vec![false; sheet.x.len()],
@@ -134,6 +137,7 @@ impl<'a> Cut<'a> {
             None => self.near[v as usize].push(entry),
         }
         self.value[v as usize] = self.level.value(&self.near[v as usize]);
+        self.sizes[v as usize] = self.level.size(&self.near[v as usize]);
         let Self {
             sheet,
             waiting,
@@ -150,31 +154,27 @@ impl<'a> Cut<'a> {
     /// Whether a rail may pass a triangle, which is longer than the rail's edges are to be.
     fn is_too_long(&self, t: u32, length: f64) -> bool {
         let corners = self.sheet.triangles[t as usize];
-        let nearest_sides = corners.map(|v| self.level.nearest(&self.near[v as usize]));
-        let least = |of: &dyn Fn(&Entry) -> f64| {
-            nearest_sides
-                .iter()
-                .flatten()
-                .map(|side| of(side))
-                .fold(f64::INFINITY, f64::min)
-        };
-        if length <= least(&|side| self.level.edge_length(side)) {
+        let sizes = corners.map(|v| self.sizes[v as usize]);
+        let least = |of: fn(&Size) -> f64| sizes.iter().flatten().map(of).fold(f64::INFINITY, f64::min);
+        if length <= least(|size| size.edge) {
             return false;
         }
         let values = corners.map(|v| self.value[v as usize]);
         let distance = values.map(f64::abs).into_iter().fold(f64::INFINITY, f64::min);
-        let is_on_one_side = values.iter().all(|v| *v > 0.0) || values.iter().all(|v| *v < 0.0);
-        let most = match is_on_one_side {
-            true => dip(least(&|side| self.level.width(side)), length),
-            false => length,
+        let most = if values.iter().all(|v| *v > 0.0) {
+            dip(least(|size| size.width), length)
+        } else if values.iter().all(|v| *v < 0.0) {
+            // No point of a triangle is further from all of its corners.
+            length / 3.0_f64.sqrt()
+        } else {
+            length
         };
         distance < most
     }
 
     /// The edge length that is wanted at a vertex near a rail.
     pub(super) fn wanted(&self, v: u32) -> Option<f64> {
-        let nearest = self.level.nearest(&self.near[v as usize])?;
-        Some(self.level.edge_length(nearest))
+        self.sizes[v as usize].map(|size| size.edge)
     }
 
     /// Whether a vertex is on a rail of no side: the band goes on from another face, which tells nothing of where it ends on this one.
@@ -243,6 +243,7 @@ impl<'a> Cut<'a> {
         self.is_on_mitre.push(self.is_mitre(h));
         let m = self.sheet.split(h, t);
         let value = self.level.value_at(&self.sheet.x[m as usize], &known, &mut near);
+        self.sizes.push(self.level.size(&near));
         self.near.push(near);
         self.value.push(value);
         self.is_waiting.resize(self.sheet.triangles.len(), false);
@@ -329,6 +330,7 @@ impl<'a> Cut<'a> {
         let known = std::mem::take(&mut self.near[v]);
         let mut near = Vec::new();
         self.value[v] = self.level.value_at(&self.sheet.x[v], &known, &mut near);
+        self.sizes[v] = self.level.size(&near);
         self.near[v] = near;
     }
 
@@ -413,8 +415,8 @@ impl<'a> Cut<'a> {
     }
 }
 
-/// How near to a rail the ends of an edge may be that it does not pass: a rail around the end of a crease is a circle of the band's width, and dips so far
-/// below a chord.
+/// How near to a rail the ends of an edge outside of a band are, if it can pass that edge: around the end of a crease it is a circle of the band's width, which
+/// chords come so near to.
 fn dip(width: f64, chord: f64) -> f64 {
     libm::hypot(width, 0.5 * chord) - width
 }

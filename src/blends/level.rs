@@ -50,6 +50,15 @@ pub(super) struct Entry {
     pub(super) excess: f64,
 }
 
+/// What a band asks for near a place.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Size {
+    /// How long edges are to be.
+    pub(super) edge: f64,
+    /// How wide the band is; towards an end it does not vanish.
+    pub(super) width: f64,
+}
+
 /// All sides and corners.
 pub(super) struct Level {
     pub(super) curves: Vec<ChainCurve>,
@@ -126,18 +135,15 @@ impl Level {
         entries.iter().min_by(|a, b| a.excess.total_cmp(&b.excess))
     }
 
-    /// How wide the band is at a place on a side; towards an end it does not vanish.
-    pub(super) fn width(&self, entry: &Entry) -> f64 {
-        let widest = self.sides[entry.side as usize].widest;
-        (entry.distance - entry.excess).max(LEAST * widest)
-    }
-
-    /// How long edges of the band are to be near a place on a side: the arc of a ball that touches both faces there is divided into [`PARTS`].
-    pub(super) fn edge_length(&self, entry: &Entry) -> f64 {
+    /// What the nearest of some sides asks for: the arc of a ball that touches both faces there is divided into [`PARTS`].
+    pub(super) fn size(&self, entries: &[Entry]) -> Option<Size> {
+        let entry = self.nearest(entries)?;
         let side = &self.sides[entry.side as usize];
         let curve = &self.curves[side.curve as usize];
+        let width = (entry.distance - entry.excess).max(LEAST * side.widest);
         let bend = curve.between(&curve.bends, entry.at);
-        self.width(entry) * bend / libm::tan(0.5 * bend) / PARTS.max(bend / TURN)
+        let edge = width * bend / libm::tan(0.5 * bend) / PARTS.max(bend / TURN);
+        Some(Size { edge, width })
     }
 
     /// Which part of the way from the chord between its rails to the crease the arc of that ball bulges.

@@ -208,6 +208,23 @@ fn blends_do_not_depend_on_how_fine_the_faces_are() {
     }
 }
 
+/// All vertices of the cube are deep in bands then; the middles of its faces stay.
+#[test]
+fn bands_leave_the_middle_of_faces_between_them() {
+    let wide = rounded(&cube(), 0.7);
+    assert!(wide.is_complete(), "{:?}", wide.report.outcome);
+    for axis in 0..3 {
+        for side in [-1.0, 1.0] {
+            let kept = &wide.triangles[..wide.kept_triangles.len()];
+            let is_on = |t: &&[u32; 3]| {
+                t.iter()
+                    .all(|&v| (wide.positions[v as usize][axis] - side).abs() < 1e-12)
+            };
+            assert!(kept.iter().any(|t| is_on(&t)), "face {axis} {side}");
+        }
+    }
+}
+
 /// How far parts of triangles on one side of x = 0 reach over to the other.
 fn reaches_over(labels: Vec<u32>) -> f64 {
     let (positions, triangles) = divided_cube(2);
