@@ -27,7 +27,10 @@ test("it opens on a fair surface; one arrow turns by itself and comes back withi
     assert.match(await story(page), /smooth/);
     const start = performance.now();
     await page.waitForFunction("Math.abs(fairmesh.edits()[0]?.angle) > 0.4");
-    assert.ok(difference(await positions(page), fair) > 0.02, "the surface follows");
+    // On a slow machine it is behind.
+    while (difference(await positions(page), fair) <= 0.02) {
+        assert.ok(!(await story(page)).startsWith("Now you"), "the surface follows");
+    }
     await page.waitForFunction("document.querySelector('#story').textContent.startsWith('Now you')");
     await page.waitForFunction("!fairmesh.isBusy()");
     const seconds = (performance.now() - start) / 1000;
