@@ -42,6 +42,12 @@ impl Chain {
         self.half_edges.iter().map(|&h| surface.edge(h).norm()).sum()
     }
 
+    /// It stays sharp, as no sound blend was found: there first.
+    pub(super) fn give_up(&mut self, place: Vector3<f64>) {
+        self.is_chosen = false;
+        self.unsolved.get_or_insert(place);
+    }
+
     /// Its first vertex and its last one.
     pub(super) fn ends(&self, surface: &Surface<'_>) -> [u32; 2] {
         let last = self.half_edges[self.half_edges.len() - 1];

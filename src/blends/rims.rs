@@ -22,7 +22,7 @@ pub(super) enum Unlaid {
 /// The arcs of the boundary at all ends that have no face across.
 ///
 /// # Errors
-/// The ends for which there is none, or else the creases whose bands reach over the boundary beside them.
+/// The ends for which there is none, or else the creases whose bands reach too far.
 pub(super) fn rims(
     cut: &Cut<'_>,
     through: &[Through],
@@ -55,8 +55,12 @@ fn rim(cut: &Cut<'_>, of: &Through, normals: &FaceNormals<'_>, from: &BTreeMap<u
 
 /// Whether no other rim has a vertex of this one; it has them then.
 fn lay(rim: &Arc, is_laid: &mut [bool]) -> bool {
-    let mut inside = rim[1..rim.len() - 1].iter();
-    inside.all(|&(v, _)| !std::mem::replace(&mut is_laid[v as usize], true))
+    let inside = || rim[1..rim.len() - 1].iter().map(|&(v, _)| v as usize);
+    let is_free = !inside().any(|v| is_laid[v]);
+    if is_free {
+        inside().for_each(|v| is_laid[v] = true);
+    }
+    is_free
 }
 
 /// Bands that reach too far, each with the first place where one does.

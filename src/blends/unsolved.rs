@@ -34,8 +34,7 @@ pub(super) fn give_up(
         }
     }
     for &(c, place) in &creases {
-        graph.chains[c].is_chosen = false;
-        graph.chains[c].unsolved.get_or_insert(place);
+        graph.chains[c].give_up(place);
     }
     let is_any = graph.sharp_corners.len() > corners || !creases.is_empty();
     is_any && graph.chains.iter().any(|chain| chain.is_chosen)
@@ -47,22 +46,18 @@ pub(super) fn give_up_faded(graph: &mut CreaseGraph, level: &Level) -> bool {
     for (c, chain) in graph.chains.iter_mut().enumerate() {
         if chain.is_chosen && level.sides[2 * c].widest <= 0.0 {
             let points = &level.curves[c].points;
-            chain.is_chosen = false;
-            chain.unsolved = Some(points[points.len() / 2]);
+            chain.give_up(points[points.len() / 2]);
             is_any = true;
         }
     }
     is_any
 }
 
-/// Lets a corner at the boundary, or a crease beside it, stay sharp.
+/// Lets an end at the boundary, or a crease whose band reaches too far, stay sharp.
 pub(super) fn give_up_unlaid(graph: &mut CreaseGraph, unlaid: Unlaid) {
     match unlaid {
         Unlaid::End { vertex, place } => graph.sharp_corners.push((vertex, place)),
-        Unlaid::Beside { chain, place } => {
-            graph.chains[chain].is_chosen = false;
-            graph.chains[chain].unsolved = Some(place);
-        }
+        Unlaid::Beside { chain, place } => graph.chains[chain].give_up(place),
     }
 }
 

@@ -30,7 +30,7 @@ impl Refiner<'_> {
 
     /// Whether an edge violates Delaunay (the angles opposite to it sum up to more than 180 degrees) and its flip makes
     /// neither a fold nor an edge that is there already.
-    fn should_flip(&self, h: u32) -> bool {
+    fn should_flip(&mut self, h: u32) -> bool {
         let o = self.patch.across(h);
         if o == NONE || self.patch.triangles[h as usize / 3][0] == NONE {
             return false;
@@ -71,14 +71,14 @@ impl Refiner<'_> {
         }
         // A boundary vertex keeps a triangle, an inner one three.
         for v in [a, b] {
-            let least = if self.patch.is_boundary(v) { 2 } else { 4 };
-            if !self.patch.has_triangles(v, least) {
+            self.patch.outgoing(v, &mut self.outgoing);
+            if self.outgoing.len() < 2 || !self.patch.is_boundary(v) && self.outgoing.len() < 4 {
                 return false;
             }
         }
         let boundary_edge = self.patch.is_boundary(c) && self.patch.is_boundary(d);
         let is_taken = boundary_edge && self.taken.binary_search(&(c.min(d), c.max(d))).is_ok();
-        !is_taken && !self.patch.are_neighbours(c, d)
+        !is_taken && !self.patch.are_neighbours(c, d, &mut self.outgoing)
     }
 
     /// Flips towards Delaunay until nothing changes, or often enough.

@@ -155,11 +155,17 @@ struct Closed<'a> {
     patch: Patch,
     set: &'a LoopSet,
     measure: Measure,
+    outgoing: Vec<u32>,
 }
 
 impl<'a> Closed<'a> {
     fn new(set: &'a LoopSet, measure: Measure, patch: Patch) -> Self {
-        Self { patch, set, measure }
+        Self {
+            patch,
+            set,
+            measure,
+            outgoing: Vec::new(),
+        }
     }
 
     /// Whether no edge is there twice, or in the mesh.
@@ -222,7 +228,9 @@ impl<'a> Closed<'a> {
         }
         let (c, d) = (self.patch.apex(h), self.patch.apex(o));
         let taken = (c.min(d), c.max(d));
-        c != d && self.set.taken.binary_search(&taken).is_err() && !self.patch.are_neighbours(c, d)
+        c != d
+            && self.set.taken.binary_search(&taken).is_err()
+            && !self.patch.are_neighbours(c, d, &mut self.outgoing)
     }
 
     /// Flips edges while that lowers the sum: nothing had looked over the connections.

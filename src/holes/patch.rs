@@ -3,8 +3,6 @@
 //! Half-edge `3 t + k` runs from corner `k` of triangle `t` to corner `k + 1`. Vertices below `fixed` stay, and so do the
 //! edges without a triangle on the other side.
 
-use std::iter;
-
 use nalgebra::Vector3;
 
 use crate::mesh::NONE;
@@ -170,31 +168,6 @@ impl Patch {
         (self.x[self.target(h) as usize] - self.x[self.origin(h) as usize]).norm()
     }
 
-    /// The half-edges that start at a vertex, counter-clockwise from any one on; at a boundary vertex then the others clockwise.
-    fn around(&self, v: u32) -> impl Iterator<Item = u32> {
-        let start = self.out[v as usize];
-        let right = |h: u32| match self.across(h) {
-            NONE => NONE,
-            o => next(o),
-        };
-        let (mut at, mut is_right) = (start, false);
-        iter::from_fn(move || {
-            let here = Some(at).filter(|h| *h != NONE)?;
-            at = if is_right {
-                right(here)
-            } else {
-                self.across(previous(here))
-            };
-            if at == NONE && !is_right {
-                (at, is_right) = (right(start), true);
-            }
-            if at == start {
-                at = NONE;
-            }
-            Some(here)
-        })
-    }
-
     /// The half-edges that start at a vertex, counter-clockwise; at a boundary vertex from the boundary on.
     pub(super) fn outgoing(&self, v: u32, outgoing: &mut Vec<u32>) {
         outgoing.clear();
@@ -297,17 +270,10 @@ impl Patch {
         }
     }
 
-    /// Whether two vertices have an edge in the patch.
-    pub(super) fn are_neighbours(&self, a: u32, b: u32) -> bool {
-        let is_at = |h: u32, v: u32| self.target(h) == v || self.apex(h) == v;
-        // It takes as long as that with fewer triangles; there may be thousands at the other one.
-        let mut of_both = self.around(a).zip(self.around(b));
-        of_both.any(|(of_a, of_b)| is_at(of_a, b) || is_at(of_b, a))
-    }
-
-    /// Whether a vertex has so many triangles.
-    pub(super) fn has_triangles(&self, v: u32, count: usize) -> bool {
-        self.around(v).take(count).count() == count
+    /// Whether two vertices have an edge in the patch; `outgoing` is scratch.
+    pub(super) fn are_neighbours(&self, a: u32, b: u32, outgoing: &mut Vec<u32>) -> bool {
+        self.outgoing(a, outgoing);
+        outgoing.iter().any(|&h| self.target(h) == b || self.apex(h) == b)
     }
 
     /// Moves the inner vertex that `h` starts at onto its other end, if the patch stays a manifold with valences of at

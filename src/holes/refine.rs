@@ -383,7 +383,7 @@ impl<'a> Refiner<'a> {
                 let boundary_edge = v != b && self.patch.is_boundary(v);
                 !boundary_edge
                     || self.taken.binary_search(&(v.min(b), v.max(b))).is_err()
-                    || self.patch.are_neighbours(v, b)
+                    || self.patch.are_neighbours(v, b, &mut self.outgoing)
             })
     }
 
