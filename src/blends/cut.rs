@@ -41,8 +41,6 @@ pub(super) struct Cut<'a> {
     labels: &'a [u32],
     /// Per vertex the sides near it.
     pub(super) near: Vec<Vec<Entry>>,
-    /// Per vertex what the nearest of them asks for.
-    sizes: Vec<Option<Size>>,
     /// Per vertex how far outside the band it is.
     pub(super) value: Vec<f64>,
     /// Per triangle whether it is in a band; known when rails are cut.
@@ -57,7 +55,6 @@ impl<'a> Cut<'a> {
     pub(super) fn new(sheet: Sheet, level: &'a Level, (faces, labels): (&'a [u32], &'a [u32])) -> Self {
         Self {
             near: vec![Vec::new(); sheet.x.len()],
-            sizes: vec![None; sheet.x.len()],
             value: vec![f64::INFINITY; sheet.x.len()],
             is_band: Vec::new(),
             is_on_mitre: vec![false; sheet.x.len()],
@@ -137,7 +134,6 @@ impl<'a> Cut<'a> {
             None => self.near[v as usize].push(entry),
         }
         self.value[v as usize] = self.level.value(&self.near[v as usize]);
-        self.sizes[v as usize] = self.level.size(&self.near[v as usize]);
         let Self {
             sheet,
             waiting,
@@ -154,7 +150,7 @@ impl<'a> Cut<'a> {
     /// Whether a rail may pass a triangle, which is longer than the rail's edges are to be.
     fn is_too_long(&self, t: u32, length: f64) -> bool {
         let corners = self.sheet.triangles[t as usize];
-        let sizes = corners.map(|v| self.sizes[v as usize]);
+        let sizes = corners.map(|v| self.level.size(&self.near[v as usize]));
         let least = |of: fn(&Size) -> f64| sizes.iter().flatten().map(of).fold(f64::INFINITY, f64::min);
         if length <= least(|size| size.edge) {
             return false;
@@ -174,7 +170,7 @@ impl<'a> Cut<'a> {
 
     /// The edge length that is wanted at a vertex near a rail.
     pub(super) fn wanted(&self, v: u32) -> Option<f64> {
-        self.sizes[v as usize].map(|size| size.edge)
+        self.level.size(&self.near[v as usize]).map(|size| size.edge)
     }
 
     /// Whether a vertex is on a rail of no side: the band goes on from another face, which tells nothing of where it ends on this one.
@@ -243,7 +239,6 @@ impl<'a> Cut<'a> {
         self.is_on_mitre.push(self.is_mitre(h));
         let m = self.sheet.split(h, t);
         let value = self.level.value_at(&self.sheet.x[m as usize], &known, &mut near);
-        self.sizes.push(self.level.size(&near));
         self.near.push(near);
         self.value.push(value);
         self.is_waiting.resize(self.sheet.triangles.len(), false);
@@ -330,7 +325,6 @@ impl<'a> Cut<'a> {
         let known = std::mem::take(&mut self.near[v]);
         let mut near = Vec::new();
         self.value[v] = self.level.value_at(&self.sheet.x[v], &known, &mut near);
-        self.sizes[v] = self.level.size(&near);
         self.near[v] = near;
     }
 
