@@ -37,28 +37,31 @@ pub fn written(
     let bytes = match format {
         Format::Ply | Format::Obj => {
             let name = input.display().to_string();
-            let converted;
-            let mesh = match mesh.format() == format {
-                true => mesh,
-                false => {
-                    converted = MeshFile::parse(&name, format, mesh.in_format(format))?;
-                    &converted
+            match mesh.format() == format {
+                true => {
+                    let carried = faces.carried(geometry, rounded);
+                    grown(mesh, &name, rounded, &faces, mark, Some(carried))?
                 }
-            };
-            with_attributes(mesh, &name, rounded, &faces, mark)?
+                // There are no attributes in another format.
+                false => {
+                    let mesh = MeshFile::parse(&name, format, mesh.in_format(format))?;
+                    grown(&mesh, &name, rounded, &faces, mark, None)?
+                }
+            }
         }
         Format::Off | Format::Stl => faces.plain(geometry, format, rounded),
     };
     Ok((bytes, whole + faces.parts.len()))
 }
 
-/// The new rows are added to the file, then those that they replace are dropped.
-fn with_attributes(
+/// The new rows are added to the file, with attributes from where they lie if these are told, then those that they replace are dropped.
+fn grown(
     mesh: &MeshFile,
     name: &str,
     rounded: &Rounded,
     faces: &Faces,
     mark: &MarkArgs,
+    carried: Option<[Vec<Option<Carried>>; 2]>,
 ) -> Result<Vec<u8>, Failure> {
     let given = &mesh.geometry;
     let kept: Vec<u32> = (0..given.positions.len() as u32).collect();
@@ -67,14 +70,13 @@ fn with_attributes(
         None => rounded.kept_vertices[v as usize],
         Some(new) => (kept.len() + new) as u32,
     };
-    let [vertices, middles] = faces.carried(given, rounded);
-    let carry = Carry {
+    let carry = carried.as_ref().map(|[vertices, faces]| Carry {
         geometry: given,
-        vertices: &vertices,
-        faces: &middles,
+        vertices,
+        faces,
         kept: &kept,
         places: new,
-    };
+    });
     let triangles = faces.new.iter().map(|t| t.map(number));
     let added = Added {
         positions: &[&given.positions, new].concat(),
@@ -85,7 +87,7 @@ fn with_attributes(
             .chain(triangles)
             .collect::<Vec<_>>(),
         parents: &rounded.parents,
-        carry: Some(&carry),
+        carry: carry.as_ref(),
         mark: mark.from(faces.parts.len()),
     };
     let grown = mesh.with_added(mesh.format(), &added, Some(mesh));
