@@ -7,7 +7,7 @@ use super::options::RoundOptions;
 use super::surface::{Surface, between};
 use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::edge_set::EdgeSet;
-use crate::mesh::halfedge::previous;
+use crate::mesh::halfedge::{next, previous};
 use crate::mesh::rows::Rows;
 
 /// What bends, and how the mesh falls into faces between.
@@ -63,11 +63,9 @@ const THIN: f64 = 1e-4;
 /// do. Half as much between the sides (173): these are tried, and 54 of 59 solids cut from each other are sound in place of 55. Double (152): edges of 15 to 28
 /// degrees stay sharp that need not.
 const FOLDED: f64 = 166.0;
-/// Thin triangles beside each other that are looked behind.
-/// Half or double, of 13 solids cut from each other: none changes.
-const STEPS: usize = 8;
 
-/// Unit normals. A triangle that is as thin as rounding has that of the one across its longest edge.
+/// Unit normals. A triangle that is as thin as rounding has that of the one across its longest edge; if that one is as thin, and it is the longest edge of
+/// both, across its other edges, too.
 fn normals(surface: &Surface<'_>) -> Vec<Vector3<f64>> {
     let count = surface.half_edges() / 3;
     let cross = |t: u32| surface.edge(3 * t).cross(&surface.edge(3 * t + 1));
@@ -78,17 +76,38 @@ fn normals(surface: &Surface<'_>) -> Vec<Vector3<f64>> {
         (3 * t..3 * t + 3).max_by(order).unwrap_or(3 * t)
     };
     let is_thin = |t: u32| crosses[t as usize].norm() <= THIN * length(&longest(t));
-    let of = |t: u32| {
-        let mut at = t;
-        for _ in 0..STEPS {
-            match surface.across(longest(at)) {
-                Some(across) if is_thin(at) => at = across / 3,
-                _ => break,
-            }
+    let (mut thin, sound): (Vec<u32>, Vec<u32>) = (0..count).partition(|&t| is_thin(t));
+    let mut normals = vec![Vector3::zeros(); count as usize];
+    for t in sound {
+        normals[t as usize] = crosses[t as usize].normalize();
+    }
+    let mut is_told = vec![true; count as usize];
+    thin.iter().for_each(|&t| is_told[t as usize] = false);
+    // From those that have one on.
+    loop {
+        let across = |h: u32| surface.across(h).map(|o| o / 3);
+        let told = |h: u32| across(h).filter(|&u| is_told[u as usize]);
+        let beside = |t: u32| {
+            let first = longest(t);
+            let is_first_of_both = surface.across(first).is_none_or(|o| longest(o / 3) == o);
+            let others = [first, next(first), previous(first)];
+            let edges = &others[..if is_first_of_both { 3 } else { 1 }];
+            Some((t, edges.iter().find_map(|&h| told(h))?))
+        };
+        let found: Vec<(u32, u32)> = thin.iter().filter_map(|&t| beside(t)).collect();
+        if found.is_empty() {
+            break;
         }
-        crosses[at as usize].try_normalize(0.0).unwrap_or_default()
-    };
-    (0..count).map(of).collect()
+        for &(t, from) in &found {
+            normals[t as usize] = normals[from as usize];
+        }
+        found.iter().for_each(|of| is_told[of.0 as usize] = true);
+        thin.retain(|&t| !is_told[t as usize]);
+    }
+    for t in thin {
+        normals[t as usize] = crosses[t as usize].try_normalize(0.0).unwrap_or_default();
+    }
+    normals
 }
 
 impl CreaseGraph {

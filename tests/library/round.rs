@@ -1,8 +1,8 @@
 //! Creases that become blends: `round`.
 
 use fairmesh::{
-    Creases, Error, LooseReason, Outcome, Progress, RoundOptions, Rounded, SharpFate, blend_vertices, round,
-    round_with_progress,
+    Creases, Error, LooseReason, Outcome, Progress, RoundOptions, Rounded, SharpFate, blend_vertices,
+    find_creases, round, round_with_progress,
 };
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -317,6 +317,40 @@ fn a_width_that_coordinates_do_not_tell_is_refused() {
             }
             other => panic!("{far}: {other:?}"),
         }
+    }
+}
+
+/// Two triangles without area, one against the other, in the lid of a cube: what they are turned to by rounding is no crease. Found in the plate of a
+/// boolean whose edges had been divided.
+#[test]
+fn triangles_without_area_beside_each_other_are_no_crease() {
+    let (mut positions, mut triangles) = cube();
+    let is_lid = |t: &[u32; 3]| t.iter().all(|&v| v >= 4);
+    triangles.retain(|t| !is_lid(t));
+    for off in [1e-7, -1e-7] {
+        positions.truncate(8);
+        positions.extend([
+            [-0.6, 0.0, 1.0],
+            [0.6, 0.0, 1.0],
+            [0.0, off, 1.0],
+            [0.0, -off, 1.0],
+        ]);
+        let [a, b, c, d] = [8, 9, 10, 11];
+        let lid = [
+            [a, b, c],
+            [b, a, d],
+            [a, c, 7],
+            [c, 6, 7],
+            [c, b, 6],
+            [4, a, 7],
+            [5, 6, b],
+            [4, d, a],
+            [4, 5, d],
+            [5, b, d],
+        ];
+        let triangles = [&triangles[..], &lid[..]].concat();
+        let (chains, _) = find_creases(&positions, &triangles, &RoundOptions::default()).unwrap();
+        assert_eq!(chains.len(), 12, "{off}");
     }
 }
 
