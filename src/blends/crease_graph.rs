@@ -5,9 +5,10 @@ use nalgebra::Vector3;
 use super::crease_ends::{TURN, connect};
 use super::options::RoundOptions;
 use super::surface::{Surface, between};
+use super::triangle_normals::normals;
 use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::edge_set::EdgeSet;
-use crate::mesh::halfedge::{next, previous};
+use crate::mesh::halfedge::previous;
 use crate::mesh::rows::Rows;
 
 /// What bends, and how the mesh falls into faces between.
@@ -55,60 +56,11 @@ impl Chain {
     }
 }
 
-/// Triangles that are thinner than this, height over longest edge, tell nothing where coordinates are rounded to single precision.
-/// Half or double, of 13 solids cut from each other: none changes.
-const THIN: f64 = 1e-4;
 /// Where a surface bends by so many degrees and more, its sides lie almost on each other: the ball between them vanishes, and so do the edges of a blend.
 /// Edges of a prism alone: of 14 degrees between its sides and less none gets a sound blend, after 15 to 59 s with up to 210,000 triangles; of 15 and 20 they
 /// do. Half as much between the sides (173): these are tried, and 54 of 59 solids cut from each other are sound in place of 55. Double (152): edges of 15 to 28
 /// degrees stay sharp that need not.
 const FOLDED: f64 = 166.0;
-
-/// Unit normals. A triangle that is as thin as rounding has that of the one across its longest edge; if that one is as thin, and it is the longest edge of
-/// both, across its other edges, too.
-fn normals(surface: &Surface<'_>) -> Vec<Vector3<f64>> {
-    let count = surface.half_edges() / 3;
-    let cross = |t: u32| surface.edge(3 * t).cross(&surface.edge(3 * t + 1));
-    let crosses: Vec<Vector3<f64>> = (0..count).map(cross).collect();
-    let length = |h: &u32| surface.edge(*h).norm_squared();
-    let longest = |t: u32| {
-        let order = |g: &u32, h: &u32| length(g).total_cmp(&length(h));
-        (3 * t..3 * t + 3).max_by(order).unwrap_or(3 * t)
-    };
-    let is_thin = |t: u32| crosses[t as usize].norm() <= THIN * length(&longest(t));
-    let (mut thin, sound): (Vec<u32>, Vec<u32>) = (0..count).partition(|&t| is_thin(t));
-    let mut normals = vec![Vector3::zeros(); count as usize];
-    for t in sound {
-        normals[t as usize] = crosses[t as usize].normalize();
-    }
-    let mut is_told = vec![true; count as usize];
-    thin.iter().for_each(|&t| is_told[t as usize] = false);
-    // From those that have one on.
-    loop {
-        let across = |h: u32| surface.across(h).map(|o| o / 3);
-        let told = |h: u32| across(h).filter(|&u| is_told[u as usize]);
-        let beside = |t: u32| {
-            let first = longest(t);
-            let is_first_of_both = surface.across(first).is_none_or(|o| longest(o / 3) == o);
-            let others = [first, next(first), previous(first)];
-            let edges = &others[..if is_first_of_both { 3 } else { 1 }];
-            Some((t, edges.iter().find_map(|&h| told(h))?))
-        };
-        let found: Vec<(u32, u32)> = thin.iter().filter_map(|&t| beside(t)).collect();
-        if found.is_empty() {
-            break;
-        }
-        for &(t, from) in &found {
-            normals[t as usize] = normals[from as usize];
-        }
-        found.iter().for_each(|of| is_told[of.0 as usize] = true);
-        thin.retain(|&t| !is_told[t as usize]);
-    }
-    for t in thin {
-        normals[t as usize] = crosses[t as usize].try_normalize(0.0).unwrap_or_default();
-    }
-    normals
-}
 
 impl CreaseGraph {
     pub(super) fn new(surface: &Surface<'_>, options: &RoundOptions) -> Self {

@@ -29,6 +29,7 @@ mod surface;
 mod telling;
 mod through;
 mod tidy;
+mod triangle_normals;
 mod unsolved;
 mod widths;
 
