@@ -70,6 +70,16 @@
 #define FAIRMESH_SHARP_AUTO 20.0
 
 /**
+ * The value of the option `continuity` at which curvature is continued where it is certain.
+ */
+#define FAIRMESH_CONTINUITY_AUTO -1.0
+
+/**
+ * The value of the option `relax_rim` at which as many rings may move as are advised.
+ */
+#define FAIRMESH_RELAX_AUTO 4294967295
+
+/**
  * Major version of the interface: it changes when something does that programs rely on.
  */
 #define FAIRMESH_VERSION_MAJOR 0
@@ -249,7 +259,7 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_NO_FAIR_PATCH = 38,
     /**
-     * The curvature does not tell where a bump ends.
+     * Nothing tells where a bump ends.
      */
     FAIRMESH_STATUS_NO_BUMP = 39,
     /**
@@ -1331,8 +1341,8 @@ enum fairmesh_region_kind
      */
     FAIRMESH_REGION_KIND_PATCH = 8,
     /**
-     * The bump or dent at the seed: where the mean curvature departs from that of the surroundings, see `fairmesh_bump`. NO_BUMP where
-     * none is found.
+     * The bump or dent at the seed: the least region whose fair surface stays what it is when the region grows, see `fairmesh_bump`; the one
+     * that reaches about as far as `value`, or at 0 the smallest. NO_BUMP where none is found.
      */
     FAIRMESH_REGION_KIND_BUMP = 9,
     /**
@@ -1892,7 +1902,7 @@ typedef struct fairmesh_options {
      */
     struct fairmesh_boundary_normals boundary_normals;
     /**
-     * How far the surface continues the mean curvature of its surroundings: from 0 (default: tangent planes alone, G1) to 1 (curvature, too, G2), part of the way between those surfaces, where `Delta_B^2 H = 0`. Only as far as the surroundings are smooth enough to tell their curvature; the report says how far. For the fast solver.
+     * How far the surface continues the mean curvature of its surroundings: from 0 (tangent planes alone, G1) to 1 (curvature, too, G2), part of the way between those surfaces, where `Delta_B^2 H = 0`. Only as far as the surroundings are smooth enough to tell their curvature; the report says how far. Default auto, -1: 1 along loops where the curvature is certain, 0 along others. For the fast solver. Auto is 0 with the paper's, for another target, while rounding, and along loops with given normals or moved by edits that have no given curvature.
      */
     double continuity;
     /**
@@ -2054,7 +2064,7 @@ typedef struct fairmesh_fill_options {
      */
     uint64_t max_new_vertices;
     /**
-     * For boundaries that are noise: this many rings of vertices around a loop, its own counted, may move onto the surface that the mesh has there on average, before it is filled. 0 (default): none.
+     * For boundaries that are noise: this many rings of vertices around a loop, its own counted, may move onto the surface that the mesh has there on average, before it is filled. 0 (default): none. 4294967295 (auto): as many as are advised around loops that are rough, none around others, nor where triangles would be folded or intersect.
      */
     uint64_t relax_rim;
     /**
@@ -2623,7 +2633,7 @@ typedef struct fairmesh_region_step {
      */
     double vector[3];
     /**
-     * A radius, or an angle in degrees.
+     * A radius, an angle in degrees, or about how far a bump reaches.
      */
     double value;
     /**
@@ -2887,7 +2897,7 @@ typedef struct fairmesh_continuity {
      */
     uint64_t vertex_count;
     /**
-     * How much of the way to the curvature of the surroundings was asked for.
+     * How much of the way to the curvature of the surroundings was asked for; FAIRMESH_CONTINUITY_AUTO: all of it, if it is certain.
      */
     double asked;
     /**
@@ -2916,7 +2926,9 @@ typedef struct fairmesh_continuity {
      */
     double curvature;
     /**
-     * How uncertain that is, root mean square. Where it is no smaller than `jump_before`, there is nothing to be continued.
+     * How uncertain that is, root mean square. Where it is no smaller than `jump_before`, there is nothing to be continued; it is infinite
+     * where less than seven rings of triangles are outside to tell it by. Along loops whose jump is too small for
+     * `FAIRMESH_CONTINUITY_AUTO` it is what estimates differ by from each other.
      */
     double uncertainty;
 } fairmesh_continuity;
@@ -3313,7 +3325,7 @@ typedef struct fairmesh_crease {
 } fairmesh_crease;
 
 /**
- * What was taken for a bump or dent. Curvatures in 1 / length. Set `struct_size` before the call.
+ * What was taken for a bump or dent. Set `struct_size` before the call.
  */
 typedef struct fairmesh_bump {
     /**
@@ -3333,17 +3345,14 @@ typedef struct fairmesh_bump {
      */
     double radius;
     /**
-     * By how much its mean curvature departs from that of the surroundings (95 in 100 vertices by less).
+     * How far the surface lies above the fair one at most, along the normal; a dent's is negative.
      */
-    double departure;
+    double height;
     /**
-     * The mean curvature of the surroundings (the median).
+     * By how much the fair surface disagrees with that of a slightly larger region and with what surrounds it, over the root mean square of the
+     * height: near 0 the bump is told from all around it, from 0.5 on there is none.
      */
-    double surroundings;
-    /**
-     * How much that scatters (standard deviation).
-     */
-    double scatter;
+    double uncertainty;
 } fairmesh_bump;
 
 /**

@@ -9,7 +9,7 @@ from pathlib import Path
 import igl
 import numpy as np
 
-from . import peers
+from . import peers, ten_holes
 from .boundary import Boundary
 from .measure import diagonal, short, spread, table
 from .surfaces import distance
@@ -18,7 +18,7 @@ from .tool import Case, Points, Run, Scan, Tool, write_ply
 #: How exact surfaces are triangulated, with rings of triangles around the regions.
 IRREGULAR = ("--triangulation", "irregular", "--seed", 7, "--outside", 10)
 #: What is asked for in the tables.
-ASKED = {"G1": "g1", "continuity 0.5": "0.5", "G2": "g2"}
+ASKED = {"G1": "g1", "continuity 0.5": "0.5", "G2": "g2", "auto": "auto"}
 #: Of the surroundings, in edge lengths.
 NOISE = (0, 0.003, 0.01, 0.03)
 
@@ -49,6 +49,7 @@ def document(tool: Tool, scans: list[Scan], machine: str) -> dict[str, object]:
     return {
         "machine": machine,
         "subjects": "\n\n".join(section(tool, subject) for subject in subjects),
+        "holes": ten_holes.section(tool),
         "sizes": sizes(tool),
         "noise": noise(tool, subjects[0].case),
     }

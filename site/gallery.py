@@ -202,11 +202,11 @@ def main(program: str, scans: Path) -> None:
     page.entry(
         "The curvature of the surroundings, too",
         "A flattened cap of an ellipsoid is faired; colours are the curvature. With tangent planes alone (left) an edge shows around it;\n"
-        "with `--continuity g2` (right) the curvature goes on, too.",
+        "where it is certain it goes on, too (right).",
         [
             "fairmesh generate ellipsoid --vertices 4000 --triangulation irregular --start flat --outside 10 -o flat.ply --free cap.txt",
-            "fairmesh fair flat.ply -o tangent.ply --free cap.txt",
-            "fairmesh fair flat.ply -o curved.ply --free cap.txt --continuity g2",
+            "fairmesh fair flat.ply -o tangent.ply --free cap.txt --continuity g1",
+            "fairmesh fair flat.ply -o curved.ply --free cap.txt",
         ],
         Picture(
             "continuity",

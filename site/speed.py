@@ -20,6 +20,7 @@ VARIANTS = (
     ("as it comes", ""),
     ("`--tolerance 1e-6`", "--tolerance 1e-6"),
     ("`--inner-fairness conformal`", "--inner-fairness conformal"),
+    ("`--continuity g1`", "--continuity g1"),
     ("`--continuity g2`", "--continuity g2"),
     ("`--target minimal-energy`", "--target minimal-energy"),
     ("`--intersections skip`", "--intersections skip"),

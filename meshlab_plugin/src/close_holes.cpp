@@ -184,7 +184,7 @@ Values close_holes(MeshModel &model, const MeshView &view, CloseParameters asked
     if (cancelled) throw Failure(CANCELLED);
 
     write_patches(model, view, open.kept, filled, asked.selection);
-    Values values = told(filled, open.loops, asked.options.continuity > 0, host);
+    Values values = told(filled, open.loops, asked.options.continuity, host);
     if (open.passed_over > 0) {
         values["converged"] = false;
         values["left_open"] = values["left_open"].toInt() + open.passed_over;

@@ -44,7 +44,7 @@ Values erase_and_fill(MeshModel &model, const MeshView &view, CloseParameters as
     }
 
     write_patches(model, view, left.kept, filled, SelectionAfter::NewOnly);
-    Values values = told(filled, loops, asked.options.continuity > 0, host);
+    Values values = told(filled, loops, asked.options.continuity, host);
     const std::size_t erased = view.triangles().size() - triangles.size();
     host.log(text("Faces erased: %zu, of which %llu were not selected and would have hung loose", erased,
                   static_cast<unsigned long long>(left.dropped)));

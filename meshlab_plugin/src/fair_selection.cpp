@@ -58,7 +58,7 @@ Values fair_selection(MeshModel &model, const MeshView &view, FairParameters ask
     if (asked.curvature_to_quality) write_quality(model, curvature);
     log_report(report, view, host);
     log_components(result, host);
-    if (asked.options.continuity > 0) log_continuity(result, host);
+    log_continuity(result, asked.options.continuity, host);
     log_sharp_edges(result, host);
     return values_of(report, view);
 }

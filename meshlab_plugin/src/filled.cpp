@@ -46,7 +46,7 @@ std::string relaxed(const fairmesh_fill_report &hole) {
 
 } // namespace
 
-Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool continues_curvature, const Host &host) {
+Values told(const fairmesh::result &filled, const fairmesh::result &loops, double continuity, const Host &host) {
     const fairmesh_info info = filled.info();
     int open = 0, unfair = 0, joined = 0;
     std::uint64_t moved = 0;
@@ -80,7 +80,7 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool 
         if (hole.outcome != FAIRMESH_FILL_OUTCOME_LEFT_OPEN && group.size() > 1) joined += static_cast<int>(group.size());
         if (hole.reason == FAIRMESH_FILL_REASON_OPPOSITE_SIDES) but += opposite(hole, loops);
         if (!but.empty()) host.warn("Warning, " + which + ": " + but);
-        if (continues_curvature && hole.has_report) log_continuity(filled, host, i);
+        if (hole.has_report) log_continuity(filled, continuity, host, i);
         if (hole.has_report) log_sharp_edges(filled, host, i);
     }
     const int closed = static_cast<int>(info.loop_count) - open;

@@ -13,7 +13,7 @@
 namespace fairmesh_meshlab {
 
 /** What became of the holes, in the log and as values. `loops`: those of the mesh that was filled. */
-Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool continues_curvature, const Host &host);
+Values told(const fairmesh::result &filled, const fairmesh::result &loops, double continuity, const Host &host);
 
 /** Said after `told` where faces were deleted: the host has numbered its vertices anew since. */
 constexpr char OLD_NUMBERS[] = "Vertices in these warnings have the numbers that they had before faces were deleted.";

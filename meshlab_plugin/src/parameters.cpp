@@ -65,7 +65,7 @@ void add_sharp(RichParameterList &list, bool is_fairing) {
 void add_solver_parameters(RichParameterList &list, bool is_fairing = false) {
     const fairmesh::options standard;
     list.addParam(RichFloat("continuity", static_cast<Scalar>(standard.continuity), "Match curvature",
-                            "0: tangent to its surroundings. 1: as curved as they are, where they tell it."));
+                            "0: tangent to its surroundings. 1: as curved as they are. -1: 1 where they tell it."));
     add_sharp(list, is_fairing);
     list.addParam(RichEnum("target", static_cast<int>(standard.target.kind), {"Natural", "Bulged", "Elastic sheet"}, "Shape",
                            "Natural: spheres come back. Bulged: pushed out. Elastic sheet: least bent."));
@@ -112,13 +112,14 @@ void add_patch_parameters(RichParameterList &list) {
 /** What filling has that bridging has not. */
 void add_rim_parameters(RichParameterList &list) {
     list.addParam(RichInt("relax_rim", 0, "Rough boundary: rings that may move",
-                          "For ragged scans: rings of old vertices that may move, too. 3 is a good number."));
+                          "For ragged scans: rings of old vertices that may move. Good: 3. -1: where rough."));
     add_advanced<RichFloat>(list, "relax_within", 0, "Rough boundary: no further than",
                             "No old vertex moves further than this. 0: the mean length of the edges there.");
 }
 
 void read_rim_parameters(const RichParameterList &list, fairmesh::fill_options &fill) {
-    fill.relax_rim = at_least(list, "relax_rim", 0);
+    const std::uint64_t rings = at_least(list, "relax_rim", -1);
+    fill.relax_rim = list.getInt("relax_rim") < 0 ? FAIRMESH_RELAX_AUTO : rings;
     if (list.hasParameter("relax_within")) fill.relax_within = list.getFloat("relax_within");
 }
 

@@ -89,13 +89,22 @@ void log_components(const fairmesh::result &result, const Host &host) {
                   static_cast<unsigned long long>(count - failed)));
 }
 
-void log_continuity(const fairmesh::result &result, const Host &host, std::uint64_t index) {
+void log_continuity(const fairmesh::result &result, double asked, const Host &host, std::uint64_t index) {
+    if (asked == 0) return;
     const std::uint64_t components = result.report(index).component_count, shown = 8;
     std::uint64_t told = 0;
     for (std::uint64_t i = 0; i < components; i++) {
         const std::uint64_t loops = result.component(i, index).continuity_count;
         for (std::uint64_t k = 0; k < loops && told < shown; k++, told++) {
             const fairmesh_continuity loop = result.continuity(i, k, index);
+            if (loop.asked == FAIRMESH_CONTINUITY_AUTO && loop.reached == 0) {
+                host.log(
+                    text("Tangent planes at the boundary of %llu vertices (vertex %llu): H of the surroundings %.4g, uncertain by %.2g, "
+                         "jump of H %.3g",
+                         static_cast<unsigned long long>(loop.vertex_count), static_cast<unsigned long long>(loop.vertex), loop.curvature,
+                         loop.uncertainty, loop.jump_before));
+                continue;
+            }
             host.log(
                 text("Curvature continuity at the boundary of %llu vertices (vertex %llu): %.2f reached, jump of H %.3g before, %.3g now "
                      "(largest %.3g, %.3g); H of the surroundings %.4g, uncertain by %.2g",
@@ -103,7 +112,7 @@ void log_continuity(const fairmesh::result &result, const Host &host, std::uint6
                      loop.jump_before, loop.jump, loop.largest_jump_before, loop.largest_jump, loop.curvature, loop.uncertainty));
         }
     }
-    if (told == 0)
+    if (told == 0 && asked > 0)
         host.log("Curvature continuity was not reached: no boundary has surroundings and vertices enough, or no surface was found");
 }
 

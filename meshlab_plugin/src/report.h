@@ -25,7 +25,7 @@ void log_report(const fairmesh_report &report, const MeshView &view, const Host 
 void log_components(const fairmesh::result &result, const Host &host);
 
 /** In the log: how far curvature is continued along each boundary loop of a region, the one with this index of the result. */
-void log_continuity(const fairmesh::result &result, const Host &host, std::uint64_t index = 0);
+void log_continuity(const fairmesh::result &result, double asked, const Host &host, std::uint64_t index = 0);
 
 /** In the log: what became of the sharp edges that reach the boundary of a region, the one with this index of the result. */
 void log_sharp_edges(const fairmesh::result &result, const Host &host, std::uint64_t index = 0);

@@ -102,7 +102,7 @@ void write(MeshModel &model, const MeshView &view, const Change &made, std::size
 }
 
 /** How it went, in the log and as values. */
-Values told(const fairmesh::result &made, bool continues_curvature, const Host &host) {
+Values told(const fairmesh::result &made, double continuity, const Host &host) {
     const fairmesh_info info = made.info();
     const fairmesh_report report = made.report();
     int done = 0, unsolved = 0, narrow = 0;
@@ -122,7 +122,7 @@ Values told(const fairmesh::result &made, bool continues_curvature, const Host &
     for (std::uint32_t v : corners) host.warn(text("Warning, the corner at vertex %u stays sharp; blends end before it", v));
     const std::string but = reservation(report);
     if (!but.empty()) host.warn("Warning, the blends: " + but);
-    if (continues_curvature) log_continuity(made, host, 0);
+    log_continuity(made, continuity, host);
     log_sharp_edges(made, host, 0);
     host.log(text("Sharp edges from %.4g degrees on: %llu from corner to corner, %d of them rounded; new vertices %llu, new faces %llu",
                   info.crease_angle, static_cast<unsigned long long>(info.crease_count), done,
@@ -160,7 +160,7 @@ Values round_edges(MeshModel &model, const MeshView &view, RoundParameters asked
     }
     const Change made = change(model.cm, view, *rounded);
     write(model, view, made, rounded->info().new_triangle_count);
-    return told(*rounded, asked.options.continuity > 0, host);
+    return told(*rounded, asked.options.continuity, host);
 }
 
 } // namespace fairmesh_meshlab

@@ -18,7 +18,7 @@ CURVATURE = "Fairmesh: Mean Curvature"
 
 SOLVER = {
     "inner_fairness": ("RichEnum", 0, 3),
-    "continuity": ("RichFloat", 0),
+    "continuity": ("RichFloat", -1),
     "target": ("RichEnum", 0, 3),
     "bulge": ("RichFloat", 100),
     "max_iterations": ("RichInt", 500),

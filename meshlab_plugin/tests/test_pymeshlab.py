@@ -725,9 +725,13 @@ class RoughRims(Case):
         values = ms.apply_filter(ERASE, relax_rim=3)
         self.assertGreater(values["moved_vertices"], 50)
 
+    def test_as_many_rings_as_are_advised(self):
+        moved = [mesh_set(*self.noisy()).apply_filter(CLOSE, relax_rim=rings)["moved_vertices"] for rings in (3, -1)]
+        self.assertEqual(*moved)
+
     def test_wrong_numbers(self):
         vertices, faces = self.noisy()
-        self.refused(mesh_set(vertices, faces), CLOSE, "relax_rim is -1", relax_rim=-1)
+        self.refused(mesh_set(vertices, faces), CLOSE, "relax_rim is -2: it must be at least -1", relax_rim=-2)
         self.refused(mesh_set(vertices, faces), CLOSE, "relax_within", relax_rim=2, relax_within=-1.0)
 
 

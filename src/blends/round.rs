@@ -24,7 +24,7 @@ use super::through::Through;
 use super::tidy::tidy;
 use super::unsolved::{give_up, give_up_faded, give_up_unlaid, worst_places};
 use super::widths::Widths;
-use crate::fairing::{ProgressCallback, on_workers};
+use crate::fairing::{Options, ProgressCallback, on_workers};
 use crate::mesh::Joined;
 use crate::mesh::coincident::Copies;
 use crate::mesh::edge_set::EdgeSet;
@@ -161,13 +161,14 @@ fn rounded(
                 continue;
             }
         };
+        let fairing = tangent_unless_asked(&options.fairing);
         let bands = Bands::new(
             &cut,
             &normals,
             (arcs(&cut, &endings.creases(), &normals), &rims),
-            options.fairing.asks_continuity(),
+            fairing.asks_continuity(),
         )?;
-        let rounded = match bands.fair(positions, &surface.centre, &options.fairing, &mut telling)? {
+        let rounded = match bands.fair(positions, &surface.centre, &fairing, &mut telling)? {
             Ok(rounded) => rounded,
             Err(place) => {
                 give_up(&mut graph, &surface, &level, &[place]);
@@ -180,6 +181,17 @@ fn rounded(
             return Ok(rounded);
         }
         given_up += 1;
+    }
+}
+
+/// Between planes, whose curvature is certain, a blend is expected to be a cylinder.
+fn tangent_unless_asked(fairing: &Options) -> Options {
+    // Auto is below all that can be asked.
+    let of_loops = fairing.loop_continuity.iter();
+    Options {
+        continuity: fairing.continuity.max(0.0),
+        loop_continuity: of_loops.map(|(v, blend)| (*v, blend.max(0.0))).collect(),
+        ..fairing.clone()
     }
 }
 

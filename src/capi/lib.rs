@@ -80,8 +80,8 @@ pub use live::*;
 pub use log::{fairmesh_log_fn, fairmesh_set_log};
 pub use loop_choice::{fairmesh_join, fairmesh_loop_filter, fairmesh_place};
 pub use option_structs::{
-    FAIRMESH_SHARP_AUTO, fairmesh_bridge_options, fairmesh_fill_options, fairmesh_options,
-    fairmesh_remesh_options, fairmesh_round_options,
+    FAIRMESH_CONTINUITY_AUTO, FAIRMESH_RELAX_AUTO, FAIRMESH_SHARP_AUTO, fairmesh_bridge_options,
+    fairmesh_fill_options, fairmesh_options, fairmesh_remesh_options, fairmesh_round_options,
 };
 pub use reading::*;
 pub use refill::fairmesh_refill;

@@ -184,11 +184,18 @@ pub(crate) fn of_erasing(mesh: &MeshIn) -> u64 {
     2 * of_whole_mesh(mesh, 1)
 }
 
-/// For choosing triangles in so many steps, whose lists have so many entries together; bumps are looked for in parallel.
-pub(crate) fn of_selecting(mesh: &MeshIn, steps: usize, listed: usize) -> u64 {
+/// For choosing triangles in so many steps, whose lists have so many entries together. Where bumps are looked for, one region after the other
+/// of the mesh is faired.
+pub(crate) fn of_selecting(mesh: &MeshIn, steps: usize, listed: usize, with_bumps: bool) -> u64 {
+    let bumps = if with_bumps {
+        of_region(mesh.vertices(), 0, false).saturating_add(of_whole_mesh(mesh, 0))
+    } else {
+        0
+    };
     let each = size_of::<fairmesh::RegionStep>() + size_of::<fairmesh::Bump>();
     let each = (steps as u64).saturating_mul(each as u64);
     of_whole_mesh(mesh, 0)
+        .saturating_add(bumps)
         .saturating_add(each.saturating_mul(2))
         .saturating_add((listed as u64).saturating_mul(4))
 }

@@ -83,7 +83,7 @@ pub enum fairmesh_status {
     BadChain = 37,
     /// Deleted and filled, a region gets no fair patch that intersects nothing, or it cannot be deleted, or the run was stopped.
     NoFairPatch = 38,
-    /// The curvature does not tell where a bump ends.
+    /// Nothing tells where a bump ends.
     NoBump = 39,
     /// An edit of a solver has a number that is not finite, or moves a free vertex.
     BadEdit = 40,

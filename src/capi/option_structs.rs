@@ -16,6 +16,12 @@ use fairmesh::{
 /// The value of the option `sharp` at which only edges that are certain go on, in degrees.
 pub const FAIRMESH_SHARP_AUTO: f64 = 20.0;
 
+/// The value of the option `continuity` at which curvature is continued where it is certain.
+pub const FAIRMESH_CONTINUITY_AUTO: f64 = -1.0;
+
+/// The value of the option `relax_rim` at which as many rings may move as are advised.
+pub const FAIRMESH_RELAX_AUTO: u64 = 4294967295;
+
 /// The lists of `Options`, checked.
 pub(crate) type OptionsLists = [Array; 1];
 
@@ -41,7 +47,7 @@ pub struct fairmesh_options {
     pub reserved: u32,
     /// Normals at the boundary vertices. Default: fitted to the surroundings.
     pub boundary_normals: fairmesh_boundary_normals,
-    /// How far the surface continues the mean curvature of its surroundings: from 0 (default: tangent planes alone, G1) to 1 (curvature, too, G2), part of the way between those surfaces, where `Delta_B^2 H = 0`. Only as far as the surroundings are smooth enough to tell their curvature; the report says how far. For the fast solver.
+    /// How far the surface continues the mean curvature of its surroundings: from 0 (tangent planes alone, G1) to 1 (curvature, too, G2), part of the way between those surfaces, where `Delta_B^2 H = 0`. Only as far as the surroundings are smooth enough to tell their curvature; the report says how far. Default auto, -1: 1 along loops where the curvature is certain, 0 along others. For the fast solver. Auto is 0 with the paper's, for another target, while rounding, and along loops with given normals or moved by edits that have no given curvature.
     pub continuity: f64,
     /// The same for single boundary loops, each named by a vertex on it, in place of `continuity`. Of several numbers for one loop the last one holds. A loop with 0 has tangent planes alone, and `Delta_B H` is zero along it. Default: none.
     pub loop_continuity: fairmesh_loop_continuity,
@@ -76,7 +82,7 @@ impl fairmesh_options {
             intersections: fairmesh_intersections::Check as u32,
             reserved: 0,
             boundary_normals: fairmesh_boundary_normals::default(),
-            continuity: 0.0,
+            continuity: -1.0,
             loop_continuity: fairmesh_loop_continuity::default(),
             boundary_curvature: fairmesh_boundary_curvature::default(),
             target: fairmesh_target::default(),
@@ -148,7 +154,7 @@ pub struct fairmesh_fill_options {
     pub density: f64,
     /// At most this many new vertices in all. Where they do not suffice, patches become coarser away from their boundaries. Smaller loops are served first. Default 200000. No loop of n edges gets more than 1000 + n^2 of them, times the square of a density above 1: a round hole takes a tenth.
     pub max_new_vertices: u64,
-    /// For boundaries that are noise: this many rings of vertices around a loop, its own counted, may move onto the surface that the mesh has there on average, before it is filled. 0 (default): none.
+    /// For boundaries that are noise: this many rings of vertices around a loop, its own counted, may move onto the surface that the mesh has there on average, before it is filled. 0 (default): none. 4294967295 (auto): as many as are advised around loops that are rough, none around others, nor where triangles would be folded or intersect.
     pub relax_rim: u64,
     /// No vertex of these rings moves further than this. Default: the mean length of the edges around the loop. 0 stands for the default.
     pub relax_within: f64,

@@ -81,7 +81,7 @@ impl OptionsIn {
 
     /// Whether curvature is to be continued.
     pub(crate) fn asks_continuity(&self) -> bool {
-        self.options.continuity > 0.0 || self.loops.are_given()
+        self.options.continuity != 0.0 || self.loops.are_given()
     }
 
     /// With what is given per vertex of the mesh.

@@ -190,7 +190,7 @@ pub struct fairmesh_continuity {
     pub vertex: u64,
     /// The vertices of the loop.
     pub vertex_count: u64,
-    /// How much of the way to the curvature of the surroundings was asked for.
+    /// How much of the way to the curvature of the surroundings was asked for; FAIRMESH_CONTINUITY_AUTO: all of it, if it is certain.
     pub asked: f64,
     /// How much of the way from the tangent-continuous surface's mean curvature to that of the surroundings was taken, in the mean
     /// along the loop: from 0 to `continuity` of the options.
@@ -205,7 +205,9 @@ pub struct fairmesh_continuity {
     pub largest_jump: f64,
     /// The root mean square of the mean curvature of the surroundings along the loop.
     pub curvature: f64,
-    /// How uncertain that is, root mean square. Where it is no smaller than `jump_before`, there is nothing to be continued.
+    /// How uncertain that is, root mean square. Where it is no smaller than `jump_before`, there is nothing to be continued; it is infinite
+    /// where less than seven rings of triangles are outside to tell it by. Along loops whose jump is too small for
+    /// `FAIRMESH_CONTINUITY_AUTO` it is what estimates differ by from each other.
     pub uncertainty: f64,
 }
 
@@ -436,7 +438,7 @@ pub struct fairmesh_crease {
     pub unsolved: [f64; 3],
 }
 
-/// What was taken for a bump or dent. Curvatures in 1 / length. Set `struct_size` before the call.
+/// What was taken for a bump or dent. Set `struct_size` before the call.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fairmesh_bump {
@@ -448,10 +450,9 @@ pub struct fairmesh_bump {
     pub triangle_count: u64,
     /// How far its farthest corner is from the seed, along the surface.
     pub radius: f64,
-    /// By how much its mean curvature departs from that of the surroundings (95 in 100 vertices by less).
-    pub departure: f64,
-    /// The mean curvature of the surroundings (the median).
-    pub surroundings: f64,
-    /// How much that scatters (standard deviation).
-    pub scatter: f64,
+    /// How far the surface lies above the fair one at most, along the normal; a dent's is negative.
+    pub height: f64,
+    /// By how much the fair surface disagrees with that of a slightly larger region and with what surrounds it, over the root mean square of the
+    /// height: near 0 the bump is told from all around it, from 0.5 on there is none.
+    pub uncertainty: f64,
 }

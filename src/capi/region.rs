@@ -39,8 +39,8 @@ pub enum fairmesh_region_kind {
     Component = 7,
     /// The triangles around the seed, up to edges at which the surface bends by more than `value`, in degrees from 0 to 180.
     Patch = 8,
-    /// The bump or dent at the seed: where the mean curvature departs from that of the surroundings, see `fairmesh_bump`. NO_BUMP where
-    /// none is found.
+    /// The bump or dent at the seed: the least region whose fair surface stays what it is when the region grows, see `fairmesh_bump`; the one
+    /// that reaches about as far as `value`, or at 0 the smallest. NO_BUMP where none is found.
     Bump = 9,
     /// Adds the triangles that have a vertex in common with the region so far, `rings` times.
     Grow = 32,
@@ -92,7 +92,7 @@ pub struct fairmesh_region_step {
     pub point: [f64; 3],
     /// The largest coordinates of a box, the normal of a plane.
     pub vector: [f64; 3],
-    /// A radius, or an angle in degrees.
+    /// A radius, an angle in degrees, or about how far a bump reaches.
     pub value: f64,
     /// How many rings to grow or shrink by.
     pub rings: u64,
@@ -136,7 +136,10 @@ pub extern "C" fn fairmesh_select_region(
         }
         let lists = checked.iter().map(|step| step.list.count);
         let listed = lists.fold(0, usize::saturating_add);
-        let bytes = memory_bounds::of_selecting(&mesh, step_count, listed);
+        let with_bumps = asked
+            .iter()
+            .any(|step| matches!(step, RegionStep::With(_, Region::Bump { .. })));
+        let bytes = memory_bounds::of_selecting(&mesh, step_count, listed, with_bumps);
         result.put(bytes, &HostCallback::new(progress, user_data), |tell| {
             let region = select_region_with_progress(&positions, &triangles, &asked, mesh.coincident, tell)?;
             let region = region.ok_or_else(cancelled)?;
@@ -235,7 +238,10 @@ impl StepIn {
                 seed,
                 angle: view.value,
             },
-            Kind::Bump => Region::Bump(seed),
+            Kind::Bump => Region::Bump {
+                seed,
+                size: Some(view.value).filter(|size| *size != 0.0),
+            },
         };
         Ok(RegionStep::With(self.combine, region))
     }
@@ -246,7 +252,7 @@ fn check_extent(kind: fairmesh_region_kind, view: &fairmesh_region_step, place: 
     use fairmesh_region_kind as Kind;
     let value = view.value;
     let (holds, what) = match kind {
-        Kind::Ball | Kind::Geodesic => (value >= 0.0, "a radius is at least 0"),
+        Kind::Ball | Kind::Geodesic | Kind::Bump => (value >= 0.0, "a radius is at least 0"),
         Kind::Patch => (
             (0.0..=180.0).contains(&value),
             "an angle is from 0 to 180 degrees",

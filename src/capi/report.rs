@@ -342,8 +342,7 @@ pub(crate) fn bump(of: &Bump) -> fairmesh_bump {
         reserved: 0,
         triangle_count: of.triangles as u64,
         radius: of.radius,
-        departure: of.departure,
-        surroundings: of.surroundings,
-        scatter: of.scatter,
+        height: of.height,
+        uncertainty: of.uncertainty,
     }
 }

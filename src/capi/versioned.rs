@@ -39,7 +39,7 @@ versioned! {
     fairmesh_fill_report 104,
     fairmesh_join_suggestion 48,
     fairmesh_info 56,
-    fairmesh_bump 48,
+    fairmesh_bump 40,
     fairmesh_budget 32,
     fairmesh_frame 24,
     fairmesh_bulge_range 24,

@@ -71,7 +71,7 @@ pub fn of_patch(is_bridge: bool, outcome: &Outcome) -> &'static str {
         }
         _ if is_bridge => "look at it; begin or end the bridge elsewhere, or give another --width",
         _ => {
-            "look at it; --relax-rim 3 smooths a rough boundary, --trim takes slender faces there away, --erase more around it"
+            "look at it; --relax-rim auto smooths a rough boundary, --trim takes slender faces there away, --erase more around it"
         }
     }
 }

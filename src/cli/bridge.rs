@@ -13,6 +13,7 @@ use serde_json::{Value, json};
 
 use crate::bar::Bar;
 use crate::comparison::{MeshSide, PictureArgs, Story, story};
+use crate::continuity::Asked;
 use crate::explain;
 use crate::failure::Failure;
 use crate::fill::{reported, told, with_size};
@@ -181,7 +182,7 @@ fn in_story(bridged: &Bridged) -> Story {
     let rest = bridged.rest.iter().map(|of| (name(of), with_size(of), of));
     let patches: Vec<_> = std::iter::once(strip).chain(rest).collect();
     let ended = (bridged.is_success(), told(&bridged.strip));
-    story::of_patches("bridge", ended, &patches, false, readable(bridged))
+    story::of_patches("bridge", ended, &patches, Asked::Auto, readable(bridged))
 }
 
 fn readable(bridged: &Bridged) -> String {

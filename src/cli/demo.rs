@@ -9,6 +9,7 @@ use fairmesh::{BoundaryNormals, Options, Outcome, Selection, Solution};
 use fairmesh_shapes::Shape;
 
 use crate::answer::say;
+use crate::continuity::Asked;
 use crate::explain;
 use crate::failure::Failure;
 use crate::formats::{self, Format, Geometry};
@@ -88,7 +89,7 @@ pub fn run(args: &DemoArgs) -> Result<bool, Failure> {
         },
         stale_normals: 0,
         is_verbose: false,
-        asks_continuity: false,
+        asked: Asked::Tangent,
         has_with_others: None,
     };
     let text = format!(

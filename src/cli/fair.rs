@@ -165,7 +165,7 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
         },
         stale_normals: written.stale_normals,
         is_verbose: args.verbose,
-        asks_continuity: args.continuity.is_asked(),
+        asked: args.continuity.asked(),
         has_with_others,
     };
     if let Some(pictures) = &pictures {
@@ -173,13 +173,8 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
             positions: &solution.positions,
             triangles: &input.geometry.triangles,
         };
-        let asks_continuity = args.continuity.is_asked();
-        let story = story::of_fairing(
-            &solution.report,
-            asks_continuity,
-            summary.advice(),
-            summary.readable(),
-        );
+        let asked = args.continuity.asked();
+        let story = story::of_fairing(&solution.report, asked, summary.advice(), summary.readable());
         summary.times.pictures = Some(pictures.write(mesh.geometry.surface(), after, &story)?);
         summary.times.total = start.elapsed().as_secs_f64();
     }

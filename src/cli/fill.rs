@@ -223,8 +223,8 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
         };
         let told = filled.loops.iter().map(|l| (named(l), with_size(l), l));
         let ended = (is_good, format!("holes: {}", counted(&filled)));
-        let continued = args.continuity.is_asked();
-        let story = story::of_patches("fill", ended, &told.collect::<Vec<_>>(), continued, in_words());
+        let asked = args.continuity.asked();
+        let story = story::of_patches("fill", ended, &told.collect::<Vec<_>>(), asked, in_words());
         drawn = Some(pictures.write(before.surface(), after, &story)?);
     }
     let total = start.elapsed().as_secs_f64();
@@ -460,12 +460,12 @@ fn readable(filled: &Filled, args: &FillArgs, dropped: usize, [loose, cleaned]: 
             let _ = writeln!(text, "  what to do: {advice}");
         }
         let tried = args.verbose.then(|| attempts::lines(&fairing.components));
-        let continued = args.continuity.is_asked();
-        let continued = continued.then(|| continuity::lines(&fairing.components));
+        let continued = continuity::of_patch(&fairing.components, args.continuity.asked(), args.verbose);
         let edges = sharp_edges::of_patch(&fairing.sharp_edges);
         for line in edges
             .into_iter()
-            .chain([tried, continued].into_iter().flatten().flatten())
+            .chain(tried.into_iter().flatten())
+            .chain(continued)
         {
             let _ = writeln!(text, "  {line}");
         }

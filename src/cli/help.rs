@@ -78,7 +78,7 @@ the result; 'setup' (connectivity, boundary normals), 'start', 'iterate' and 'qu
 its free ones), free_vertices, outcome, iterations, defect, step, diagonal, least_bending, member_weight, quality,
 attempts: what was tried, in its order, each with the free_vertices of its mesh (coarse or its own), name, iterations,
 end and bending_energy (the integral of H^2), and continuity, where more than g1 is asked for: for each boundary loop its smallest vertex,
-how many vertices it has, how much of the way was reached, the jump of H there of the g1 surface (jump_before, root mean
+how many vertices it has, how much of the way was asked for (-1: auto) and reached, the jump of H there of the g1 surface (jump_before, root mean
 square, and largest_jump_before) and now (jump, largest_jump), H of the surroundings (curvature) and how uncertain that
 is (uncertainty), root mean squares in one over the unit of the file. Numbers that are not finite are null.
 

@@ -39,10 +39,7 @@ pub struct RegionReport {
 impl RegionReport {
     /// The same for programs.
     pub fn json(&self) -> Value {
-        let bump = |of: &Bump| {
-            json!({ "radius": of.radius, "faces": of.triangles, "departure": of.departure,
-                "surroundings": of.surroundings, "scatter": of.scatter })
-        };
+        let bump = |of: &Bump| json!({ "radius": of.radius, "faces": of.triangles, "height": of.height, "uncertainty": of.uncertainty });
         json!({ "steps": self.told, "bumps": self.bumps.iter().map(bump).collect::<Vec<Value>>() })
     }
 }
@@ -84,6 +81,8 @@ impl RegionSteps {
                 Part::Grow(rings) => faces.change(told, &RegionStep::Grow(*rings))?,
                 Part::Shrink(rings) => faces.change(told, &RegionStep::Shrink(*rings))?,
                 Part::Invert => faces.change(told, &RegionStep::Invert)?,
+                // It has become the bump's.
+                Part::BumpSize(_) => {}
             }
         }
         let elements = faces.list();
@@ -205,12 +204,12 @@ pub fn polygons(geometry: &Geometry, triangles: &[u32]) -> [Vec<bool>; 2] {
 /// What was taken for a bump.
 fn taken(bump: &Bump) -> String {
     format!(
-        "bump: {} faces up to {} from its place along the surface; H departs by up to {} from {} around it (which scatters by {})",
+        "bump: {} faces up to {} from its place along the surface, up to {} {} the smooth one, which is certain to {} % of that",
         bump.triangles,
         significant(bump.radius),
-        significant(bump.departure),
-        significant(bump.surroundings),
-        significant(bump.scatter)
+        significant(bump.height.abs()),
+        if bump.height < 0.0 { "below" } else { "above" },
+        significant(100.0 * bump.uncertainty)
     )
 }
 

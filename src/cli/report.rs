@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use crate::advice;
 use crate::attempts;
 use crate::component_report;
-use crate::continuity;
+use crate::continuity::{self, Asked};
 use crate::explain;
 use crate::figures::{FACES, PAIRS, VERTICES, listed, range, scientific, significant};
 
@@ -39,7 +39,7 @@ pub struct Summary<'a> {
     /// Whether the attempts are listed for people, too.
     pub is_verbose: bool,
     /// Whether more than tangent planes was to be continued.
-    pub asks_continuity: bool,
+    pub asked: Asked,
     /// Whether the region has a sound surface with other triangles, where that was tried.
     pub has_with_others: Option<bool>,
 }
@@ -169,9 +169,10 @@ impl Summary<'_> {
             "boundary kink",
             format_args!("at most {kink} degrees (vertex {vertex}, {before} in the input)"),
         );
-        if self.asks_continuity {
-            table.rows("continuity", continuity::lines(&self.report.components));
-        }
+        table.rows(
+            "continuity",
+            continuity::lines(&self.report.components, self.asked),
+        );
     }
 
     /// Intersecting triangles as pairs of faces of the file.
@@ -443,7 +444,7 @@ mod tests {
                 times: Times::default(),
                 stale_normals: 0,
                 is_verbose: false,
-                asks_continuity: false,
+                asked: Asked::Tangent,
                 has_with_others: None,
             };
             (summary.readable(), summary.json())
@@ -504,7 +505,7 @@ mod tests {
             times,
             stale_normals: 2,
             is_verbose: false,
-            asks_continuity: false,
+            asked: Asked::Tangent,
             has_with_others: None,
         };
         let json = summary.json();
@@ -559,7 +560,7 @@ mod tests {
                 times,
                 stale_normals: 0,
                 is_verbose: false,
-                asks_continuity: false,
+                asked: Asked::Tangent,
                 has_with_others: None,
             };
             let text = summary.readable();

@@ -9,12 +9,23 @@ use serde_json::{Value, json};
 #[command(next_help_heading = "Rough rims")]
 pub struct RimArgs {
     /// Smooth noisy rims first: move K rings of vertices around each hole onto the
-    /// average surface there, the rim itself counted; 3 is a good value
-    #[arg(long, value_name = "K", default_value_t = 0, verbatim_doc_comment)]
+    /// average surface there, the rim itself counted; 3 is a good value. 'auto': of
+    /// holes that 'fairmesh holes' calls rough, and where nothing folds
+    #[arg(long, value_name = "K", default_value = "0", value_parser = rings, verbatim_doc_comment)]
     relax_rim: usize,
     /// Limit of --relax-rim for each vertex [default: the mean edge length there]
     #[arg(long, value_name = "D", requires = "relax_rim")]
     relax_within: Option<f64>,
+}
+
+/// Reads `--relax-rim`.
+fn rings(text: &str) -> Result<usize, String> {
+    match text {
+        "auto" => Ok(Rim::AUTO),
+        _ => text
+            .parse()
+            .map_err(|_| "expected auto or a number of rings".to_owned()),
+    }
 }
 
 impl RimArgs {
@@ -72,11 +83,8 @@ pub fn json(report: &RimReport, face: impl Fn(u32) -> usize) -> Value {
 /// What to do about a rim, if it is rough.
 pub fn advice(of: &Roughness) -> Option<String> {
     let rim = of.advice?;
-    let within = rim
-        .within
-        .map_or(String::new(), |within| format!(" --relax-within {within:.3e}"));
     Some(format!(
-        "is rough: {:.0} degrees between neighbouring faces, {:.0} expected; 'fairmesh fill --relax-rim {}{within}' smooths it",
+        "is rough: {:.0} degrees between neighbouring faces, {:.0} expected; 'fairmesh fill --relax-rim auto' smooths {} rings",
         of.angle, of.expected, rim.relax
     ))
 }

@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use crate::answer::Answer;
 use crate::chosen_creases::CreaseArgs;
 use crate::comparison::{MeshSide, PictureArgs, story};
-use crate::continuity;
+use crate::continuity::{self, Asked};
 use crate::explain;
 use crate::failure::Failure;
 use crate::figures::significant;
@@ -76,7 +76,7 @@ pub struct RoundArgs {
         long,
         value_name = "HOW-FAR",
         default_value = "g1",
-        value_parser = continuity::how_far,
+        value_parser = continuity::part,
         verbatim_doc_comment
     )]
     continuity: f64,
@@ -234,10 +234,11 @@ fn fits(args: &RoundArgs, rounded: &Rounded) -> Result<(), Failure> {
 
 /// How far the curvature of the faces goes on in the blends, if that was asked for.
 fn continued(args: &RoundArgs, rounded: &Rounded) -> String {
-    let lines = match args.continuity > 0.0 {
-        true => continuity::lines(&rounded.report.components),
-        false => Vec::new(),
+    let asked = match args.continuity > 0.0 {
+        true => Asked::Curvature,
+        false => Asked::Tangent,
     };
+    let lines = continuity::lines(&rounded.report.components, asked);
     lines.iter().map(|line| format!("continuity: {line}\n")).collect()
 }
 

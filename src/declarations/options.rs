@@ -100,6 +100,16 @@ pub fn structs() -> String {
         "\n/// The value of the option `sharp` at which only edges that are certain go on, in degrees.\npub const FAIRMESH_SHARP_AUTO: f64 = {:?};\n",
         Options::SHARP_AUTO
     );
+    let _ = write!(
+        made,
+        "\n/// The value of the option `continuity` at which curvature is continued where it is certain.\npub const FAIRMESH_CONTINUITY_AUTO: f64 = {:?};\n",
+        Options::CONTINUITY_AUTO
+    );
+    let _ = write!(
+        made,
+        "\n/// The value of the option `relax_rim` at which as many rings may move as are advised.\npub const FAIRMESH_RELAX_AUTO: u64 = {};\n",
+        Rim::AUTO
+    );
     all().iter().for_each(|of| declaration(&mut made, of));
     made
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use syn::{Expr, Fields, FnArg, Item, Lit, ReturnType, Type};
+use syn::{Expr, Fields, FnArg, Item, Lit, ReturnType, Type, UnOp};
 
 use fairmesh::{Entry, Error, Outcome};
 
@@ -159,6 +159,9 @@ pub(crate) fn number(expression: &Expr) -> String {
             Lit::Float(number) => number.base10_digits().to_owned(),
             _ => panic!("a number is needed"),
         },
+        Expr::Unary(negative) if matches!(negative.op, UnOp::Neg(_)) => {
+            format!("-{}", number(&negative.expr))
+        }
         _ => panic!("a literal is needed"),
     }
 }

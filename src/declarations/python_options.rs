@@ -20,7 +20,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Literal, TypedDict
 
 if TYPE_CHECKING:
-    from ._forms import ArrayLike, Curvature, HowFar, LoopContinuity, Normals, Sharp, Target
+    from ._forms import ArrayLike, Curvature, HowFar, LoopContinuity, Normals, Rings, Sharp, Target
 "#;
 
 /// The list of options that Python takes in another form than C: what is to be said of the form, the name, the type, the default (empty: the
@@ -31,11 +31,11 @@ macro_rules! forms {
     };
 }
 
-const FORMS: [[&str; 4]; 7] = forms! {
+const FORMS: [[&str; 4]; 8] = forms! {
     /// "fitted"; "averaged" over the faces outside; unit vectors (n, 3), zeros or NaN where none is given; or a pair (indices (k,), vectors (k, 3)). They point to the side that faces are counter-clockwise seen from. Where none is given they are fitted. Length 1 to 0.001.
     boundary_normals: "Normals" = "\"fitted\"";
-    /// "g1" is 0, "g2" is 1.
-    continuity: "HowFar" = "0.0";
+    /// "auto" is the default; "g1" is 0, "g2" is 1.
+    continuity: "HowFar" = "";
     /// A mapping from vertices to "g1", "g2" or numbers.
     loop_continuity: "LoopContinuity" = "{}";
     /// "estimated"; mean curvatures in 1 / length, negative where the normals point outward of a sphere: a mapping from vertices, a pair (indices (k,), values (k,)), or an array (n,), NaN where none is given. Where none is given it is estimated.
@@ -44,6 +44,8 @@ const FORMS: [[&str; 4]; 7] = forms! {
     target: "Target" = "\"harmonic\"";
     /// "auto" is the angle from which on edges are certain, "off" is 0.
     sharp: "Sharp" = "";
+    /// "auto": as many as are advised, and none where none are.
+    relax_rim: "Rings" = "";
     /// None: that of the array of vertices.
     output_precision: "Literal[\"double\", \"single\"]" = "None";
 };
@@ -184,7 +186,7 @@ fn field(entry: &OptionEntry) -> Field {
             (*formed).to_owned()
         },
         text: format!("{text} {said}"),
-        how: how.replace("real", "form"),
+        how: how.replace("real", "form").replace("count 64", "rings"),
     }
 }
 

@@ -10,11 +10,11 @@ pub(crate) struct BoundarySamples {
 
 impl BoundarySamples {
     /// Those within so many edges of each centre, by `neighbours`; vertices by local numbers, of which there are `count`.
-    pub(crate) fn new<'n>(
+    pub(crate) fn new<N: IntoIterator<Item = u32>>(
         centres: impl Iterator<Item = u32>,
         rings: usize,
         count: usize,
-        neighbours: impl Fn(u32) -> &'n [u32],
+        neighbours: impl Fn(u32) -> N,
     ) -> Self {
         let mut samples = Self {
             start: vec![0],
@@ -24,19 +24,16 @@ impl BoundarySamples {
         for centre in centres {
             let first = samples.vertex.len();
             is_found[centre as usize] = true;
-            let mut before = vec![centre];
-            for ring in 1..=rings {
+            samples.add(neighbours(centre), &mut is_found);
+            samples.end_ring(1, first);
+            let mut before = first;
+            for ring in 2..=rings {
                 let begin = samples.vertex.len();
-                for &v in &before {
-                    for &j in neighbours(v) {
-                        if !std::mem::replace(&mut is_found[j as usize], true) {
-                            samples.vertex.push(j);
-                        }
-                    }
+                for i in before..begin {
+                    samples.add(neighbours(samples.vertex[i]), &mut is_found);
                 }
-                samples.vertex[begin..].sort_unstable();
-                samples.reach.resize(samples.vertex.len(), ring as u8);
-                before = samples.vertex[begin..].to_vec();
+                samples.end_ring(ring as u8, begin);
+                before = begin;
             }
             is_found[centre as usize] = false;
             samples.vertex[first..]
@@ -45,6 +42,21 @@ impl BoundarySamples {
             samples.start.push(samples.vertex.len());
         }
         samples
+    }
+
+    /// Those that are not found yet.
+    fn add(&mut self, vertices: impl IntoIterator<Item = u32>, is_found: &mut [bool]) {
+        for j in vertices {
+            if !std::mem::replace(&mut is_found[j as usize], true) {
+                self.vertex.push(j);
+            }
+        }
+    }
+
+    /// All from here on are so many edges away.
+    fn end_ring(&mut self, ring: u8, begin: usize) {
+        self.vertex[begin..].sort_unstable();
+        self.reach.resize(self.vertex.len(), ring);
     }
 
     /// Those of centre `k`, and how many edges away they are.

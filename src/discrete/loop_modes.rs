@@ -7,6 +7,8 @@ use nalgebra::Vector3;
 /// The lowest modes of a loop, orthonormal in the lengths that belong to its vertices.
 #[derive(Debug, Clone)]
 pub(crate) struct LoopModes {
+    /// The length from the first vertex to each, where the whole is 2 pi.
+    pub angle: Vec<f64>,
     /// Half of both edges at each vertex, as a part of the whole.
     pub share: Vec<f64>,
     /// Mode after mode, a value for each vertex.
@@ -21,14 +23,34 @@ impl LoopModes {
             .map(|k| (polygon[(k + 1) % n] - polygon[k]).norm())
             .collect();
         let length = edges.iter().sum::<f64>().max(f64::MIN_POSITIVE);
-        let share: Vec<f64> = (0..n)
-            .map(|k| 0.5 * (edges[k] + edges[(k + n - 1) % n]) / length)
-            .collect();
+        let share = (0..n).map(|k| 0.5 * (edges[k] + edges[(k + n - 1) % n]) / length);
         let mut angle = vec![0.0; n];
         for k in 1..n {
             angle[k] = angle[k - 1] + TAU * edges[k - 1] / length;
         }
+        Self::at(angle, share.collect(), count)
+    }
+
+    /// The same modes at vertices beside the loop, which have the angles of vertices of it, in any order.
+    pub(crate) fn beside(&self, angle: Vec<f64>) -> Self {
+        let mut turns = angle.clone();
+        turns.sort_unstable_by(f64::total_cmp);
+        let share = |a: &f64| {
+            let same = turns.partition_point(|t| t < a)..turns.partition_point(|t| t <= a);
+            let before = match same.start {
+                0 => turns[turns.len() - 1] - TAU,
+                first => turns[first - 1],
+            };
+            let after = turns.get(same.end).copied().unwrap_or(turns[0] + TAU);
+            0.5 * (after - before) / TAU / same.len() as f64
+        };
+        let share = angle.iter().map(share).collect();
+        Self::at(angle, share, self.modes.len())
+    }
+
+    fn at(angle: Vec<f64>, share: Vec<f64>, count: usize) -> Self {
         let mut this = Self {
+            angle,
             share,
             modes: Vec::with_capacity(count),
         };
@@ -42,9 +64,9 @@ impl LoopModes {
                 }
             };
             let mode = if m == 0 {
-                vec![1.0; n]
+                vec![1.0; this.angle.len()]
             } else {
-                angle.iter().map(value).collect()
+                this.angle.iter().map(value).collect()
             };
             this.add(mode);
         }
@@ -84,11 +106,6 @@ impl LoopModes {
         sum
     }
 
-    /// What the modes can tell of a function.
-    pub(crate) fn projected(&self, f: &[f64]) -> Vec<f64> {
-        self.sum(&self.parts(f))
-    }
-
     /// The squares of parts, of both waves of a length together.
     pub(crate) fn energies(parts: &[f64]) -> Vec<f64> {
         let square = |m: usize| parts.get(m).map_or(0.0, |p| p * p);
@@ -118,7 +135,7 @@ mod tests {
             }
         }
         let wave: Vec<f64> = (0..40).map(|k| 0.3 + (2.0 * at(k)).cos()).collect();
-        let projected = modes.projected(&wave);
+        let projected = modes.sum(&modes.parts(&wave));
         let error = projected.iter().zip(&wave).map(|(a, b)| (a - b).abs());
         assert_below!(error.fold(0.0, f64::max), 0.01);
     }

@@ -1,4 +1,6 @@
-//! Vertex normals from a closed one-ring, given by its edges in counter-clockwise order.
+//! Vertex normals: from a closed one-ring, given by its edges in counter-clockwise order, or from triangles.
+
+use nalgebra::Vector3;
 
 use super::ring_edges::RingEdge;
 use super::simd::{Simd, Vec3, normalized, plus, scaled};
@@ -24,6 +26,21 @@ pub(crate) fn cross_product_normal<const L: usize>(ring: &[RingEdge<L>]) -> Vec3
         sum = plus(&sum, &edge.cross);
     }
     normalized(&sum)
+}
+
+/// The normals of vertices of some triangles, by the areas of these; zero where a vertex has none.
+pub(crate) fn normals_by_areas(
+    positions: &[Vector3<f64>],
+    triangles: impl Iterator<Item = [u32; 3]>,
+) -> Vec<Vector3<f64>> {
+    let mut normals = vec![Vector3::zeros(); positions.len()];
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|v| positions[v as usize]);
+        let normal = (b - a).cross(&(c - a));
+        triangle.iter().for_each(|&v| normals[v as usize] += normal);
+    }
+    let unit = |n: Vector3<f64>| n.try_normalize(0.0).unwrap_or_default();
+    normals.into_iter().map(unit).collect()
 }
 
 #[cfg(test)]

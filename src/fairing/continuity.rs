@@ -4,15 +4,17 @@ use super::boundary_curvature::BoundaryCurvature;
 use super::options::Options;
 use crate::mesh::RegionMesh;
 use crate::mesh::boundary_loops::boundary_loops;
-use crate::solve::{AskedContinuity, Domain, LoopContinuity};
+use crate::solve::{AskedContinuity, Blend, Domain, LoopContinuity};
 use crate::support::entries::sort_by_number;
 use crate::support::error::Error;
 
-/// What is asked of a region whose unit of length is `scale` of the input's; nothing, where tangent planes alone are to be continued.
+/// What is asked of a region whose unit of length is `scale` of the input's, at some of whose boundary vertices the normal or place is the
+/// caller's; nothing, where tangent planes alone are to be continued.
 pub(super) fn asked_continuity(
     region: &RegionMesh,
     options: &Options,
     scale: f64,
+    is_given: &[bool],
 ) -> Option<AskedContinuity> {
     if !options.asks_continuity() {
         return None;
@@ -24,18 +26,24 @@ pub(super) fn asked_continuity(
             at_boundary(region, scaled.collect())
         }
     };
+    let blend = |continuity: f64| match continuity == Options::CONTINUITY_AUTO {
+        true if options.may_continue() => Blend::Auto,
+        true => Blend::Part(0.0),
+        false => Blend::Part(continuity),
+    };
     let of_loops = options.loop_continuity.iter().enumerate();
     let of_loops: Vec<_> = of_loops
-        .map(|(place, (v, blend))| (*v, (place, *blend)))
+        .map(|(place, (v, of_loop))| (*v, (place, blend(*of_loop))))
         .collect();
     Some(AskedContinuity {
-        blend: options.continuity,
+        blend: blend(options.continuity),
         of_loops: if of_loops.is_empty() {
             Vec::new()
         } else {
             at_boundary(region, of_loops)
         },
         given,
+        is_given: is_given.to_vec(),
     })
 }
 
@@ -79,7 +87,7 @@ pub struct CurvatureContinuity {
     pub vertex: usize,
     /// How many vertices the loop has.
     pub vertices: usize,
-    /// How much of the way to the curvature of the surroundings was asked for.
+    /// How much of the way to the curvature of the surroundings was asked for; -1: all of it, if it is certain.
     pub asked: f64,
     /// How much of the way from the tangent-continuous surface's mean curvature to that of the surroundings was taken, in the mean along the
     /// loop: from 0 (the surroundings are too rough or uncertain, their curvature is the surface's already, or no sound surface has it) to
@@ -95,20 +103,27 @@ pub struct CurvatureContinuity {
     pub largest_jump: f64,
     /// The root mean square of the mean curvature of the surroundings along the loop.
     pub curvature: f64,
-    /// How uncertain that is, root mean square: the standard error of its fit, how much it differs from the curvatures of the vertices there,
-    /// and how much it varies from vertex to vertex. Where this is no
-    /// smaller than [`jump_before`](Self::jump_before), there is nothing to be continued; where it is small and [`reached`](Self::reached) is
-    /// small as well, no sound surface has that curvature.
+    /// How uncertain that is, root mean square: the square root of ten times what estimates of its kind miss three to eight edges outside,
+    /// where the curvature is known from the other side, too. Where this is no smaller than [`jump_before`](Self::jump_before), there is
+    /// nothing to be continued, and infinite where less than seven rings of triangles are outside to tell it by; where it is small and
+    /// [`reached`](Self::reached) is small as well, no sound surface has that curvature. Along loops whose jump is too small
+    /// for [`Options::CONTINUITY_AUTO`](crate::Options::CONTINUITY_AUTO) it is what estimates differ by from each other.
     pub uncertainty: f64,
 }
 
 impl CurvatureContinuity {
+    /// The [name](super::Attempt::name) of the attempts to continue curvature.
+    pub const ATTEMPT: &'static str = crate::solve::CONTINUATION;
+
     /// In the host's numbers and unit.
     pub(super) fn new(of_loop: &LoopContinuity, region: &RegionMesh, scale: f64) -> Self {
         Self {
             vertex: region.vertex_ids[region.free + of_loop.vertex as usize] as usize,
             vertices: of_loop.vertices,
-            asked: of_loop.asked,
+            asked: match of_loop.asked {
+                Blend::Auto => Options::CONTINUITY_AUTO,
+                Blend::Part(part) => part,
+            },
             reached: of_loop.reached,
             jump_before: of_loop.jump_before[0] / scale,
             largest_jump_before: of_loop.jump_before[1] / scale,

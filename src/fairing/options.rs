@@ -101,10 +101,12 @@ options! {
         boundary_normals: BoundaryNormals = BoundaryNormals::default(), with "fairmesh_boundary_normals";
         /// Normals of fixed vertices inside the region that have none given. Default: the surface passes smoothly.
         interior_normals: InteriorNormals = InteriorNormals::default(), choice "fairmesh_interior_normals";
-        /// How far the surface continues the mean curvature of its surroundings: from 0 (default: tangent planes alone, G1) to 1
-        /// (curvature, too, G2), part of the way between those surfaces, where `Delta_B^2 H = 0`. Only as far as the surroundings are
-        /// smooth enough to tell their curvature; the report says how far. For the fast solver.
-        continuity: f64 = 0.0, real "1" in 0.0..=1.0, "between 0 and 1";
+        /// How far the surface continues the mean curvature of its surroundings: from 0 (tangent planes alone, G1) to 1 (curvature, too,
+        /// G2), part of the way between those surfaces, where `Delta_B^2 H = 0`. Only as far as the surroundings are smooth enough to tell
+        /// their curvature; the report says how far. Default auto, -1: 1 along loops where the curvature is certain, 0 along others. For
+        /// the fast solver. Auto is 0 with the paper's, for another target, while rounding, and along loops with given normals or moved by edits
+        /// that have no given curvature.
+        continuity: f64 = Self::CONTINUITY_AUTO, real "1" in -1.0..=1.0, "between 0 and 1, or -1";
         /// The same for single boundary loops, each named by a vertex on it, in place of `continuity`. Of several numbers for one loop
         /// the last one holds. A loop with 0 has tangent planes alone, and `Delta_B H` is zero along it. Default: none.
         loop_continuity: Vec<(u32, f64)> = Vec::new(), with "fairmesh_loop_continuity";
@@ -146,6 +148,9 @@ options! {
 }
 
 impl Options {
+    /// The value of `continuity` at which curvature is continued where it is certain: a name, no quantity.
+    pub const CONTINUITY_AUTO: f64 = -1.0;
+
     /// The value of `sharp` at which only edges that are certain go on, degrees: less than those of 30 on parts, more than 50 beside strips of single
     /// triangles, which may be the facets of something round. Half or double, of 33 regions across
     /// edges of parts: 1 changes; none changes.
@@ -179,9 +184,10 @@ impl Options {
 
     fn validate_continuity(&self) -> Result<(), Error> {
         let is_fast = self.solver == SolverKind::Fast;
-        let range = ["0 for the paper's solver", "between 0 and 1"][usize::from(is_fast)];
+        let range = ["0 or -1 for the paper's solver", "between 0 and 1, or -1"][usize::from(is_fast)];
         let check = |name, blend: f64| {
-            let is_fine = (0.0..=1.0).contains(&blend) && (is_fast || blend == 0.0);
+            let is_auto = blend == Self::CONTINUITY_AUTO;
+            let is_fine = is_auto || (0.0..=1.0).contains(&blend) && (is_fast || blend == 0.0);
             Error::check_option(name, blend, is_fine, range)
         };
         check("continuity", self.continuity)?;
@@ -197,6 +203,12 @@ impl Options {
 
     /// Whether curvature is to be continued along any loop.
     pub(crate) fn asks_continuity(&self) -> bool {
-        self.continuity > 0.0 || self.loop_continuity.iter().any(|(_, blend)| *blend > 0.0)
+        let is_asked = |blend: f64| blend > 0.0 || blend == Self::CONTINUITY_AUTO && self.may_continue();
+        is_asked(self.continuity) || self.loop_continuity.iter().any(|(_, blend)| is_asked(*blend))
+    }
+
+    /// Whether auto is more than nothing: who asks for another equation does not mean the shape of the surroundings.
+    pub(super) fn may_continue(&self) -> bool {
+        self.solver == SolverKind::Fast && self.target == Target::default()
     }
 }

@@ -86,9 +86,16 @@ impl Prepared {
         Ok(prepared)
     }
 
-    /// What is asked of the curvature along the boundary loops, in its own unit.
-    pub(super) fn asked_continuity(&self, options: &Options) -> Option<Arc<AskedContinuity>> {
-        asked_continuity(&self.domain.region, options, self.normalization.scale).map(Arc::new)
+    /// What is asked of the curvature along the boundary loops, in its own unit, of which some vertices are not where the surroundings end.
+    pub(super) fn asked_continuity(
+        &self,
+        options: &Options,
+        is_moved: impl Fn(usize) -> bool,
+    ) -> Option<Arc<AskedContinuity>> {
+        let (region, scale) = (&self.domain.region, self.normalization.scale);
+        let has_normal = self.has_given_normal.iter().enumerate();
+        let is_given: Vec<bool> = has_normal.map(|(b, has)| *has || is_moved(b)).collect();
+        asked_continuity(region, options, scale, &is_given).map(Arc::new)
     }
 
     fn new(
@@ -117,10 +124,10 @@ impl Prepared {
             None => FairnessWeights::uniform(),
             Some(weigh) => weigh(&domain.batches, &domain.input),
         };
-        Ok(Self {
+        let mut this = Self {
             has_given_normal: given.at_boundary(&domain.region),
             right_hand_side: options.target.right_hand_side(normalization.scale),
-            continuity: asked_continuity(&domain.region, options, normalization.scale).map(Arc::new),
+            continuity: None,
             domain: Arc::new(domain),
             normalization,
             boundary_normals,
@@ -128,7 +135,9 @@ impl Prepared {
             weights: Arc::new(weights),
             weigh,
             curvature: curvature(options),
-        })
+        };
+        this.continuity = this.asked_continuity(options, |_| false);
+        Ok(this)
     }
 
     /// How many vertices of the component are free.

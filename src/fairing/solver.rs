@@ -421,7 +421,7 @@ impl Solver {
         self.input.options.loop_continuity = loops;
         self.input.options.boundary_curvature = asked.boundary_curvature;
         let cursors = self.components.cursors.iter_mut();
-        cursors.for_each(|c| c.set_continuity(&self.input.options));
+        cursors.for_each(Cursor::change_continuity);
         Ok(())
     }
 

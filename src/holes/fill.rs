@@ -15,7 +15,7 @@ use super::loops::BoundaryLoop;
 use super::options::{FillOptions, Join, largest_patch};
 use super::outcome::{FillOutcome, OpenReason};
 use super::rim::Rims;
-use super::surroundings::{LAYERS_OF_CREASES, Surroundings};
+use super::surroundings::{LAYERS_OF_CREASES, LAYERS_OF_CURVATURE, Surroundings};
 use crate::fairing::{
     BoundaryCrease, Intersections, Options, Progress, ProgressCallback, SelfIntersections, check_loops,
     in_given, joined_options, on_workers,
@@ -334,7 +334,13 @@ impl FillRun<'_> {
         loops: &[&BoundaryLoop],
         callback: &mut ProgressCallback<'_>,
     ) -> PatchSurface {
-        let mut surroundings = Surroundings::new(self.links, self.positions, loops, &mut self.place);
+        let place = &mut self.place[..];
+        let mut surroundings = match self.fairing.asks_continuity() {
+            false => Surroundings::new(self.links, self.positions, loops, place),
+            true => {
+                Surroundings::with_layers(self.links, self.positions, loops, (LAYERS_OF_CURVATURE, place))
+            }
+        };
         surroundings.guides.clone_from(&self.guides[i]);
         if let Some(vertex) = surroundings.first_unusable() {
             return PatchSurface::open(OpenReason::NotFinite { vertex });

@@ -8,7 +8,7 @@ use super::halfedge::{HalfEdges, each_edge};
 use super::input::{check_indices, check_size};
 use super::islands::islands;
 use super::numbering::{Numbering, breadth_first};
-use super::outside_neighbours::RINGS_WIDE;
+use super::outside_neighbours::{RINGS_OF_CURVATURE, RINGS_WIDE};
 use super::region::RegionMesh;
 use super::rounding;
 use super::selection::Selection;
@@ -163,10 +163,10 @@ impl Draft {
         let outside = half_edges.triangle_ids[region_triangles..].iter();
         let is_rounded =
             rounding::single_precision_matters(positions, outside.map(|&t| triangles[t as usize]));
-        let rings = if is_rounded || is_wide {
-            RINGS_WIDE - 1
-        } else {
-            RINGS_BEYOND
+        let rings = match (is_wide, is_rounded) {
+            (true, _) => RINGS_OF_CURVATURE - 1,
+            (false, true) => RINGS_WIDE - 1,
+            (false, false) => RINGS_BEYOND,
         };
         let beyond = add_beyond(positions, triangles, &self.role, rings, &mut vertex_ids);
         Ok(RegionMesh {

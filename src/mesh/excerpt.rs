@@ -4,7 +4,7 @@
 use super::draft::{Draft, RINGS_BEYOND, Role};
 use super::halfedge::NONE;
 use super::numbering::Numbering;
-use super::outside_neighbours::RINGS_WIDE;
+use super::outside_neighbours::{RINGS_OF_CURVATURE, RINGS_WIDE};
 use super::region::RegionMesh;
 use super::rows::Rows;
 use super::selection::Selection;
@@ -52,7 +52,11 @@ impl<'a> Excerpts<'a> {
         (numbering, is_wide): (Numbering, bool),
     ) -> Result<RegionMesh, Error> {
         let numbering = (numbering, is_wide);
-        let rings = if is_wide { RINGS_WIDE - 1 } else { RINGS_BEYOND };
+        let rings = if is_wide {
+            RINGS_OF_CURVATURE - 1
+        } else {
+            RINGS_BEYOND
+        };
         let region = self.region_within(free, rings, given, numbering)?;
         if region.is_rounded && !is_wide {
             return self.region_within(free, RINGS_WIDE - 1, given, numbering);

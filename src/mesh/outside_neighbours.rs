@@ -21,6 +21,10 @@ pub(crate) struct OutsideNeighbours {
 /// Of 27 cases, half: 3 change by up to 0.005 edges; double: 3 change by up to 0.6 edges, +9 % iterations.
 pub(crate) const RINGS_WIDE: usize = 8;
 
+/// And so many where curvature is to be continued: as many from each of the virtual loops, the furthest of which lies as far outside. Half or
+/// double: as of `LAYERS_OF_CURVATURE` of holes.
+pub(crate) const RINGS_OF_CURVATURE: usize = 2 * RINGS_WIDE;
+
 /// Which vertices were found already; scratch.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Marks(Vec<bool>);

@@ -13,6 +13,17 @@ use super::seed::Foot;
 
 /// Per vertex its distance from a point of the surface, along the surface; infinite where nothing leads to.
 pub(super) fn distances(mesh: &Neighbours<'_>, from: &Foot) -> Vec<f64> {
+    let corner = |v: u32| (v, (mesh.place(v) - from.place).norm());
+    spread(mesh, mesh.triangles[from.triangle as usize].map(corner))
+}
+
+/// The same from the nearest of some vertices.
+pub(super) fn distances_from(mesh: &Neighbours<'_>, vertices: &[u32]) -> Vec<f64> {
+    spread(mesh, vertices.iter().map(|&v| (v, 0.0)))
+}
+
+/// From vertices whose distances are known.
+fn spread(mesh: &Neighbours<'_>, known: impl IntoIterator<Item = (u32, f64)>) -> Vec<f64> {
     let mut distance = vec![f64::INFINITY; mesh.positions.len()];
     let mut is_final = vec![false; distance.len()];
     // Distances are not negative: their bits have their order.
@@ -23,8 +34,7 @@ pub(super) fn distances(mesh: &Neighbours<'_>, from: &Foot) -> Vec<f64> {
             front.push(Reverse((d.to_bits(), v)));
         }
     };
-    for v in mesh.triangles[from.triangle as usize] {
-        let d = (mesh.place(v) - from.place).norm();
+    for (v, d) in known {
         reach(v, d, &mut distance, &mut front);
     }
     while let Some(Reverse((_, v))) = front.pop() {

@@ -1,8 +1,10 @@
 //! Regions of a mesh chosen by place, distance or shape: for hosts that have no brush.
 
 mod bump;
+mod fair_region;
 mod geodesic;
 mod neighbours;
+mod nested;
 mod robust;
 mod seed;
 mod spread;

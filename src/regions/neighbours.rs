@@ -56,6 +56,13 @@ impl<'m> Neighbours<'m> {
             .filter_map(move |(a, b)| self.across(t, a, b))
     }
 
+    /// Whether the surface ends at a vertex: an edge there has one triangle alone.
+    pub(super) fn is_at_end(&self, v: u32) -> bool {
+        let mut beside: Vec<u32> = self.around(v).collect();
+        beside.sort_unstable();
+        beside.chunk_by(|a, b| a == b).any(|same| same.len() == 1)
+    }
+
     /// The normal of a triangle, of length one; of no length where it has no area.
     pub(super) fn normal(&self, t: u32) -> Vector3<f64> {
         let [a, b, c] = self.triangles[t as usize].map(|v| self.place(v));

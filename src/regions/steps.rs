@@ -49,8 +49,13 @@ pub enum Region {
         /// The angle between normals, in degrees, from 0 to 180.
         angle: f64,
     },
-    /// A bump or dent: where the mean curvature around the seed departs from that of the surroundings, see [`Bump`].
-    Bump(Seed),
+    /// A bump or dent: the least region whose fair surface stays what it is when the region grows, see [`Bump`].
+    Bump {
+        /// A place on it.
+        seed: Seed,
+        /// About how far it reaches, within a factor of 1.5; none: the smallest one there.
+        size: Option<f64>,
+    },
     /// The whole mesh.
     All,
 }
@@ -259,9 +264,12 @@ fn find(
             )?;
             spread::patch(mesh, seeds.foot(seed, mesh)?.triangle, *angle)
         }
-        Region::Bump(seed) => {
+        Region::Bump { seed, size } => {
+            if let Some(size) = *size {
+                Error::check_option("size", size, size > 0.0 && size.is_finite(), "above 0")?;
+            }
             let foot = seeds.foot(seed, mesh)?;
-            let (found, region) = bump::find(mesh, &foot, tell)?;
+            let (found, region) = bump::find(mesh, &foot, *size, tell)?;
             seeds.bumps.push(found);
             region
         }

@@ -42,7 +42,8 @@ pub(crate) mod weight_repair;
 
 pub(crate) use control::Control;
 pub(crate) use domain::Domain;
-pub(crate) use g2::boundary_curvature::AskedContinuity;
+pub(crate) use g2::boundary_curvature::{AskedContinuity, Blend};
+pub(crate) use g2::continuation::PHASE as CONTINUATION;
 pub(crate) use ladder::Ladder;
 pub(crate) use problem::Problem;
 pub(crate) use result::{LoopContinuity, SolveResult, SolveStatus, Trial, TrialEnd};

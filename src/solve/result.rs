@@ -2,6 +2,8 @@
 
 use nalgebra::Vector3;
 
+use crate::solve::g2::boundary_curvature::Blend;
+
 /// How a solve ended.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum SolveStatus {
@@ -68,7 +70,7 @@ pub(crate) struct LoopContinuity {
     /// How many vertices it has.
     pub vertices: usize,
     /// How much of the way to the curvature of the surroundings was asked for,
-    pub asked: f64,
+    pub asked: Blend,
     /// and was taken.
     pub reached: f64,
     /// The jump of `H`, root mean square and largest, of the tangent-continuous surface,

@@ -200,7 +200,7 @@ pub enum Error {
         /// What is wrong with it.
         why: &'static str,
     },
-    /// The curvature does not tell where a bump ends.
+    /// Nothing tells where a bump ends.
     #[error("no bump is found there: {why}")]
     NoBump {
         /// What was missing.
@@ -296,7 +296,7 @@ table!(Error {
     37 "bad_chain" Error::BadChain { .. } =>
         "a chain is no run of edges of one boundary loop", "name the vertices of a run of boundary edges, one after the other";
     39 "no_bump" Error::NoBump { .. } =>
-        "the curvature does not tell where a bump ends", "say the region by its radius or by a list";
+        "nothing tells where a bump ends", "say the region by its radius or by a list";
     40 "bad_edit" Error::BadEdit { .. } =>
         "an edit of a solver has a number that is not finite, or moves a free vertex", "name fixed vertices";
     41 "not_orientable" Error::NotOrientable { .. } =>

@@ -208,9 +208,10 @@ static void region(Scene *s) {
     asked[4].combine = FAIRMESH_COMBINE_INTERSECT;
     asked[4].value = 180.0;
     made(s, fairmesh_select_region(&s->cap.mesh, asked, 5, NULL, NULL, &result, &error));
-    /* Curvature is looked at, whether or not there is a bump. */
+    /* Regions are faired, whether or not there is a bump; few, as each allocation of theirs is refused. */
     asked[5].kind = FAIRMESH_REGION_KIND_BUMP;
     asked[5].point[2] = 1.0;
+    asked[5].value = 1.8 / (double)s->cap.side;
     status = fairmesh_select_region(&s->cap.mesh, asked, 6, NULL, NULL, &result, &error);
     if (status == FAIRMESH_STATUS_NO_BUMP) return;
     made(s, status);
@@ -327,15 +328,16 @@ int main(int count, char **arguments) {
     memcpy(s.kept, s.cap.positions, 24 * s.cap.vertices);
     memcpy(s.kept_corners, s.cap.corners, 12 * s.cap.triangles);
     panics(&s);
+    s.options.continuity = 0.0;
     every_allocation(&s, fair_once, "fair", by);
     s.options.continuity = 1.0;
-    every_allocation(&s, fair_once, "fair, continuous curvature", by);
+    every_allocation(&s, fair_once, "fair, continuous curvature", count > 2 ? 7 * by : by);
     s.options.continuity = 0.0;
     every_allocation(&s, steps, "solver", by);
     every_allocation(&s, live, "live", 97 * by);
     every_allocation(&s, erase, "erase, trim, components", by);
-    every_allocation(&s, region, "region", by);
-    /* Each point takes some. */
+    /* Each region that is faired takes some, and each point. */
+    every_allocation(&s, region, "region", count > 2 ? 97 * by : by);
     every_allocation(&s, carry, "carry over", count > 2 ? 97 * by : by);
     if (count > 4) return 0;
     every_allocation(&s, loops, "loops", by);

@@ -376,7 +376,7 @@ fn the_defaults_have_words() {
     let plain = fair(&[]);
     for more in [
         ["--normals", "fitted"],
-        ["--continuity", "g1"],
+        ["--continuity", "auto"],
         ["--target", "harmonic"],
         ["--inner-fairness", "uniform"],
         ["--interior-normals", "smooth"],
@@ -393,8 +393,13 @@ fn the_defaults_have_words() {
 fn continuity_is_told() {
     let directory = prepared("continuity");
     let args = ["fair", "cap.obj", "-o", "out.obj", "--free", "free.txt"];
-    let (out, _) = expect(&directory, &args, 0);
+    let (out, _) = expect(&directory, &[&args[..], &["--continuity", "g1"]].concat(), 0);
     assert!(!out.contains("continuity"), "{out}");
+    let (out, _) = expect(&directory, &args, 0);
+    let told = out
+        .lines()
+        .find(|line| line.contains(" more: g1, as H jumps by "));
+    assert!(told.is_some_and(|line| line.ends_with(" only")), "{out}");
     let (out, _) = expect(&directory, &[&args[..], &["--continuity", "g2"]].concat(), 0);
     assert!(
         out.contains("  continuity:          loop of vertex ") && out.contains(" reached, jump of H "),

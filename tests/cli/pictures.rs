@@ -820,7 +820,11 @@ fn curvature_is_no_advice_where_the_surroundings_are_rough() {
         let moved = |(v, [x, y, z]): (usize, [f64; 3])| [x, y, z + if is_free(v) { 0.0 } else { noise(v) }];
         let positions: Vec<[f64; 3]> = cap().into_iter().enumerate().map(moved).collect();
         fs::write(directory.join("cap.obj"), obj(&positions)).unwrap();
-        let (told, _) = expect(&directory, &[&FAIR[..], &["--report", "r.html"]].concat(), 0);
+        let (told, _) = expect(
+            &directory,
+            &[&FAIR[..], &["--continuity", "g1", "--report", "r.html"]].concat(),
+            0,
+        );
         let page = fs::read_to_string(directory.join("r.html")).unwrap();
         assert!(page.contains("Look at the reflection lines"), "{told}");
         assert_eq!(page.contains("--continuity g2"), is_advised, "{told}");

@@ -257,3 +257,38 @@ fn a_bump_that_is_a_large_part_of_the_mesh_is_told() {
         );
     }
 }
+
+/// Regions around a place on its flank reach the end of the surface before they have all of it.
+#[test]
+fn a_bump_near_an_end_is_found_from_its_flank() {
+    let directory = directory("bump-from-its-flank");
+    let sphere = [
+        "generate",
+        "sphere-hole",
+        "--vertices",
+        "5000",
+        "--angle",
+        "35",
+        "-o",
+        "bumps.ply",
+    ];
+    let bumps = [
+        "--raise=0.95,0.2,-0.24,0.6,0.4",
+        "--raise=-0.5,0.8,-0.33,0.6,-0.35",
+        "--raise=-0.2,-0.9,-0.4,0.5,0.3",
+    ];
+    expect(&directory, &[&sphere[..], &bumps].concat(), 0);
+    let select = [
+        "select",
+        "bumps.ply",
+        "-o",
+        "faces.txt",
+        "--bump",
+        "1.1212,0.4195,-0.4344",
+    ];
+    let (out, _) = expect(&directory, &select, 0);
+    assert!(
+        out.contains("up to 0.398") && out.contains(" above the smooth one"),
+        "{out}"
+    );
+}

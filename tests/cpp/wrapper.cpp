@@ -171,6 +171,8 @@ void continuing_curvature() {
     auto s = cap(31);
     auto mesh = fairmesh::mesh(s.positions, s.triangles);
     fairmesh::options options;
+    CHECK(options.continuity == FAIRMESH_CONTINUITY_AUTO);
+    options.continuity = 0;
     auto plain = fairmesh::fair(mesh, fairmesh::free_mask(s.mask), options);
     CHECK(plain.component(0).continuity_count == 0);
     auto boundary = plain.list(FAIRMESH_LIST_BOUNDARY_VERTICES);

@@ -15,7 +15,7 @@ use std::path::Path;
 use mesh::{Mesh, off_cylinder, off_sphere};
 
 /// Every guide, with the test that runs it.
-const GUIDES: [(&str, fn()); 12] = [
+const GUIDES: [(&str, fn()); 13] = [
     ("a-folder-of-scans", a_folder_of_scans),
     ("blender-headless", long::blender_headless),
     ("c-program", long::c_program),
@@ -28,6 +28,7 @@ const GUIDES: [(&str, fn()); 12] = [
     ("remove-a-bump", remove_a_bump),
     ("round-edges", round_edges),
     ("sharp-edges", sharp_edges),
+    ("what-to-take-when", what_to_take_when),
 ];
 
 #[test]
@@ -67,6 +68,15 @@ fn remove_a_bump() {
     assert!(smooth.largest(off_sphere) < 1e-5);
     assert_eq!(smooth.triangles.len(), read("plain.stl").triangles.len());
     assert_picture(&folder.join("bump.png"), Some("remove-a-bump"));
+}
+
+/// The hill is forgotten with the noise.
+#[test]
+fn what_to_take_when() {
+    let folder = runner::run("what-to-take-when");
+    let top = |name: &str| Mesh::read(&folder.join(name)).largest(|p| p[2]);
+    assert!(top("clean.ply") > 0.64 && top("faired.ply") < 0.63);
+    assert_picture(&folder.join("cheek.png"), Some("what-to-take-when"));
 }
 
 #[test]

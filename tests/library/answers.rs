@@ -298,10 +298,14 @@ fn fairings(cases: &mut Cases, sheet: &Mesh) {
         "convex" { "inner_fairness": "convex" } |o| o.inner_fairness = InnerFairness::Convex;
         "discretization" { "discretization": "paper" } |o| o.discretization = Discretization::Paper;
         "g2" { "continuity": 1.0 } |o| o.continuity = 1.0;
-        "half" { "continuity": 0.5 } |o| o.continuity = 0.5;
-        "loop" { "loop_continuity": [[rim[3], 0.25]] } |o| o.loop_continuity = vec![(rim[3], 0.25)];
         "curvature" { "continuity": 1.0, "boundary_curvature": { "vertices": rim, "values": values } }
             |o| (o.continuity, o.boundary_curvature) = (1.0, BoundaryCurvature::Given(given.clone()));
+        "half" { "continuity": 0.5, "boundary_curvature": { "vertices": rim, "values": values } }
+            |o| (o.continuity, o.boundary_curvature) = (0.5, BoundaryCurvature::Given(given.clone()));
+        "loop" { "continuity": 1.0, "boundary_curvature": { "vertices": rim, "values": values }, "loop_continuity": [[rim[3], 0.25]] } |o| {
+            (o.continuity, o.boundary_curvature) = (1.0, BoundaryCurvature::Given(given.clone()));
+            o.loop_continuity = vec![(rim[3], 0.25)];
+        };
         "constant" { "target": 2.0 } |o| o.target = Target::Constant(2.0);
         "minimal energy" { "target": "minimal_energy" } |o| o.target = Target::MinimalEnergy;
         "averaged" { "boundary_normals": "averaged" } |o| o.boundary_normals = BoundaryNormals::Averaged;
@@ -323,6 +327,10 @@ fn fillings(cases: &mut Cases, holed: &Mesh) {
     let hole = (0..3).find(is_large).unwrap();
     let around = &kinds[hole].vertices;
     let across = [around[2], around[around.len() / 2 + 2]];
+    let values = vec![-0.5; around.len()];
+    let given: Vec<_> = around.iter().map(|&v| (v, -0.5)).collect();
+    let flatter = vec![-0.3; around.len()];
+    let less: Vec<_> = around.iter().map(|&v| (v, -0.3)).collect();
     let (centre, radius) = ([-0.375, -0.3, 0.5], 0.2);
     let (low, high) = ([-1.0; 3], [-0.2, -0.15, 1.0]);
     let mut add = |name: &str, given: Value, set: &dyn Fn(&mut FillOptions)| {
@@ -333,7 +341,12 @@ fn fillings(cases: &mut Cases, holed: &Mesh) {
         "density" { "density": 2.5 } |o| o.density = 2.5;
         "few" { "max_new_vertices": 5 } |o| o.max_new_vertices = 5;
         "not faired" { "fair": false } |o| o.fair = false;
-        "hole, G2" { "continuity": 1.0 } |o| o.fairing.continuity = 1.0;
+        "hole, G2" { "continuity": 1.0, "boundary_curvature": { "vertices": around, "values": values } }
+            |o| (o.fairing.continuity, o.fairing.boundary_curvature) = (1.0, BoundaryCurvature::Given(given.clone()));
+        "hole, half" { "continuity": 0.5, "boundary_curvature": { "vertices": around, "values": values } }
+            |o| (o.fairing.continuity, o.fairing.boundary_curvature) = (0.5, BoundaryCurvature::Given(given.clone()));
+        "hole, flatter" { "continuity": 1.0, "boundary_curvature": { "vertices": around, "values": flatter } }
+            |o| (o.fairing.continuity, o.fairing.boundary_curvature) = (1.0, BoundaryCurvature::Given(less.clone()));
         "failed" { "max_iterations": 1 } |o| o.fairing.max_iterations = 1;
         "failed, flat" { "max_iterations": 1, "on_failure": "flat" }
             |o| (o.fairing.max_iterations, o.on_failure) = (1, OnFailure::Flat);

@@ -2,8 +2,8 @@
 
 use crate::fairing::*;
 use fairmesh::{
-    BoundaryCurvature, BoundaryNormals, CurvatureContinuity, Error, Options, Selection, Solution, SolverKind,
-    fair,
+    BoundaryCurvature, BoundaryNormals, CurvatureContinuity, Error, Options, Selection, Solution, Solver,
+    SolverKind, Target, fair,
 };
 use fairmesh_shapes::*;
 
@@ -63,7 +63,7 @@ fn zero_is_tangent_continuity() {
         ..asked(0.0)
     };
     let solution = faired(&shape, &options);
-    assert_same_items!(solution.positions, faired(&shape, &Options::default()).positions);
+    assert_same_items!(solution.positions, faired(&shape, &asked(0.0)).positions);
     assert_empty!(loops(&solution));
 }
 
@@ -92,14 +92,8 @@ fn cylinders_and_catenoids_stay_as_good_as_they_are() {
 /// Noise of the surroundings is not taken for a jump of the curvature, and the jump that there is is found in spite of it.
 #[test]
 fn noise_is_not_continued() {
-    let noisy = |shape: Shape, size: f64, seed: u64| {
-        let mut all = shape.clone();
-        all.free.fill(true);
-        let noise = all.noise(seed, size);
-        let mut positions = shape.flat();
-        for (v, p) in positions.iter_mut().enumerate().filter(|(v, _)| !shape.free[*v]) {
-            *p = noise[v];
-        }
+    let ratio = |shape: Shape, size: f64, seed: u64| {
+        let positions = noisy(&shape, size, seed);
         let of = |continuity: f64| {
             let selection = Selection::Mask(&shape.free);
             let options = asked(continuity);
@@ -109,14 +103,134 @@ fn noise_is_not_continued() {
         of(1.0) / of(0.0)
     };
     for (size, seed) in [(0.003, 3), (0.01, 5), (0.01, 8)] {
-        let ratio = noisy(sphere_cap(60.0, 2_000, irregular(9), 10), size, seed);
-        assert!(ratio < 1.5, "sphere {size} {ratio}");
-        let ratio = noisy(catenoid_band(2_000, irregular(8), 10), size, seed);
-        assert!(ratio < 1.5, "catenoid {size} {ratio}");
+        let of_sphere = ratio(sphere_cap(60.0, 2_000, irregular(9), 10), size, seed);
+        assert!(of_sphere < 1.5, "sphere {size} {of_sphere}");
+        let of_catenoid = ratio(catenoid_band(2_000, irregular(8), 10), size, seed);
+        assert!(of_catenoid < 1.5, "catenoid {size} {of_catenoid}");
     }
     let ellipsoid = ellipsoid_cap([1.0, 0.8, 0.6], 50.0, 2_000, irregular(7), 10);
-    let ratio = noisy(ellipsoid, 0.003, 3);
-    assert!(ratio < 0.6, "ellipsoid {ratio}");
+    let of_ellipsoid = ratio(ellipsoid, 0.003, 3);
+    assert!(of_ellipsoid < 0.6, "ellipsoid {of_ellipsoid}");
+}
+
+/// The surroundings moved at random, by this part of the edge length.
+fn noisy(shape: &Shape, size: f64, seed: u64) -> Vec<[f64; 3]> {
+    let mut all = shape.clone();
+    all.free.fill(true);
+    let noise = all.noise(seed, size);
+    let mut positions = shape.flat();
+    for (v, p) in positions.iter_mut().enumerate().filter(|(v, _)| !shape.free[*v]) {
+        *p = noise[v];
+    }
+    positions
+}
+
+/// Unasked, curvature is continued where it is certain, as if it were asked for; elsewhere the surface has the bits of tangent continuity.
+#[test]
+fn auto_continues_what_is_certain() {
+    let auto = Options::CONTINUITY_AUTO;
+    let positions = |shape: &Shape, at: &[[f64; 3]], continuity: f64| {
+        let selection = Selection::Mask(&shape.free);
+        fair(at, &shape.triangles, selection, &asked(continuity))
+            .unwrap()
+            .positions
+    };
+    for clean in [
+        ellipsoid_cap([1.0, 0.8, 0.6], 50.0, 2_000, irregular(7), 10),
+        torus(2_000),
+    ] {
+        let of = |continuity: f64| positions(&clean, &clean.flat(), continuity);
+        assert_same_items!(of(auto), of(1.0));
+        assert!(of(auto) != of(0.0));
+    }
+    for round in [
+        sphere_cap(60.0, 2_000, irregular(9), 10),
+        cylinder_band(2_000, irregular(7), 10),
+    ] {
+        for size in [0.0, 0.003, 0.01, 0.03] {
+            let at = noisy(&round, size, 5);
+            assert_same_items!(positions(&round, &at, auto), positions(&round, &at, 0.0));
+        }
+    }
+}
+
+/// Another equation has a shape of its own.
+#[test]
+fn auto_is_nothing_for_another_target() {
+    let shape = ellipsoid_cap([1.0, 0.8, 0.6], 50.0, 400, irregular(7), 10);
+    for target in [Target::MinimalEnergy, Target::Constant(1.0)] {
+        let of = |continuity: f64| {
+            faired(
+                &shape,
+                &Options {
+                    target,
+                    ..asked(continuity)
+                },
+            )
+        };
+        let auto = of(Options::CONTINUITY_AUTO);
+        assert_same_items!(auto.positions, of(0.0).positions);
+        assert_empty!(loops(&auto));
+    }
+}
+
+/// Given normals are those of a surface beyond the boundary that is not the surroundings, unless curvatures are given, too. A solver
+/// that gets normals or loses them goes by those that it has.
+#[test]
+fn auto_is_nothing_along_loops_with_given_normals() {
+    let shape = ellipsoid_cap([1.0, 0.8, 0.6], 50.0, 400, irregular(7), 10);
+    let given = BoundaryNormals::Given(shape.boundary_normals());
+    let of = |continuity: f64, boundary_normals: &BoundaryNormals| Options {
+        boundary_normals: boundary_normals.clone(),
+        ..asked(continuity)
+    };
+    let auto = |normals: &BoundaryNormals| faired(&shape, &of(Options::CONTINUITY_AUTO, normals));
+    let [fitted, tangent] = [auto(&BoundaryNormals::Fitted), faired(&shape, &of(0.0, &given))];
+    assert_above!(loops(&fitted)[0].reached, 0.5);
+    assert_same_items!(auto(&given).positions, tangent.positions);
+    assert_empty!(loops(&auto(&given)));
+    let surface = shape.surface.as_ref().expect("an exact surface");
+    let curvature = |(v, _): &(u32, _)| (*v, surface.mean_curvature(shape.positions[*v as usize]));
+    let curvatures = shape.boundary_normals().iter().map(curvature).collect();
+    let curved = Options {
+        boundary_curvature: BoundaryCurvature::Given(curvatures),
+        ..of(Options::CONTINUITY_AUTO, &given)
+    };
+    assert_above!(loops(&faired(&shape, &curved))[0].reached, 0.5);
+    let selection = Selection::Mask(&shape.free);
+    let begun = Options::default();
+    let mut solver = Solver::new(&shape.flat(), &shape.triangles, selection, &begun).unwrap();
+    for (normals, is_continued) in [
+        (&BoundaryNormals::Fitted, true),
+        (&given, false),
+        (&BoundaryNormals::Fitted, true),
+    ] {
+        solver.set_boundary_normals(normals.clone()).unwrap();
+        let solution = solver.run(500, None).unwrap();
+        assert_eq!(!loops(solution).is_empty(), is_continued);
+    }
+    solver.set_target(Target::MinimalEnergy).unwrap();
+    assert_empty!(loops(solver.run(500, None).unwrap()));
+}
+
+/// The more noise there is, the larger is what estimates miss; and it covers what the noise does to them.
+#[test]
+fn what_estimates_miss_is_measured() {
+    let shape = ellipsoid_cap([1.0, 0.8, 0.6], 50.0, 2_000, irregular(7), 10);
+    let told = |size: f64| {
+        let at = noisy(&shape, size, 3);
+        let solution = fair(&at, &shape.triangles, Selection::Mask(&shape.free), &asked(1.0)).unwrap();
+        loops(&solution)[0]
+    };
+    let clean = told(0.0);
+    assert_below!(clean.uncertainty, 0.2 * clean.jump_before);
+    let mut before = clean.uncertainty;
+    for size in [0.003, 0.01, 0.03] {
+        let of_loop = told(size);
+        assert_above!(of_loop.uncertainty, before);
+        assert_below!((of_loop.curvature - clean.curvature).abs(), of_loop.uncertainty);
+        before = of_loop.uncertainty;
+    }
 }
 
 #[test]

@@ -225,6 +225,23 @@ fn a_cap_that_is_tilted_becomes_the_cap_of_another_sphere() {
     }
 }
 
+/// What has moved off its surroundings does not continue them.
+#[test]
+fn auto_continues_nothing_along_a_moved_loop() {
+    let shape = ellipsoid_cap([1.0, 0.8, 0.6], 50.0, 400, irregular(7), 10);
+    let mut solver = finished(&shape, &options(1e-8));
+    let reached = |solution: &Solution| {
+        let loops = solution.report.components[0].continuity.iter();
+        loops.map(|of_loop| of_loop.reached).collect::<Vec<f64>>()
+    };
+    assert_above!(reached(solver.solution())[0], 0.5);
+    let rim: Vec<u32> = shape.boundary_normals().iter().map(|(v, _)| *v).collect();
+    solver.edit(&[motion(&rim, [0.0; 3], [0.0, 0.0, 0.1])]).unwrap();
+    assert_empty!(reached(solver.finish(None).unwrap()));
+    solver.edit(&[]).unwrap();
+    assert_above!(reached(solver.finish(None).unwrap())[0], 0.5);
+}
+
 #[test]
 fn a_rigid_motion_of_all_that_is_fixed_moves_the_surface() {
     let shape = sphere_cap(60.0, 500, irregular(1), OUTSIDE);

@@ -141,7 +141,13 @@ fn what_only_looks_at_a_mesh_ends_at_one_and_can_be_stopped() {
     });
     let joined = Coincident::default();
     let steps = [
-        RegionStep::With(Combine::Add, Region::Bump(Seed::Vertex(75 * 151 + 75))),
+        RegionStep::With(
+            Combine::Add,
+            Region::Bump {
+                seed: Seed::Vertex(75 * 151 + 75),
+                size: None,
+            },
+        ),
         RegionStep::Grow(2),
     ];
     let selected = select_region(&x, &t, &steps, joined).unwrap();

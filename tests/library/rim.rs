@@ -541,3 +541,31 @@ fn a_feature_beside_a_hole_is_not_advised_to_be_smoothed() {
     assert_eq!(feature.advice, None);
     assert!(!report.is_even(), "{}", report.evenness);
 }
+
+/// With as much noise as an edge is long, relaxing folds what is around.
+#[test]
+fn automatic_relaxing_is_what_is_advised_where_that_is_sound() {
+    let (mesh, edge) = sphere(1500, 3);
+    let clean = fill(&mesh, relaxed(Rim::AUTO));
+    assert_eq!(clean.positions[..mesh.0.len()], mesh.0);
+    assert!(clean.loops[0].rim.is_none());
+    for (part, is_followed) in [(0.2, true), (0.6, false)] {
+        let noise = Noise {
+            deviation: part * edge,
+            is_isotropic: true,
+            is_everywhere: true,
+        };
+        let rough = noisy(&mesh, noise, &mut Random(1));
+        let found = rim_roughness(&rough.0, &rough.1, Coincident::default()).unwrap();
+        let advice = found[0].unwrap().advice.unwrap();
+        let [auto, followed] = [Rim::AUTO, advice.relax].map(|relax| fill(&rough, relaxed(relax)));
+        let report = followed.loops[0].rim.as_ref().unwrap();
+        assert_eq!(report.is_sound(), is_followed, "{report:?}");
+        if is_followed {
+            assert_eq!(auto.positions, followed.positions);
+        } else {
+            assert_eq!(auto.positions[..mesh.0.len()], rough.0);
+        }
+        assert_eq!(auto.loops[0].rim.is_some(), is_followed);
+    }
+}

@@ -71,7 +71,7 @@ class MESH_OT_fairmesh_fair(Background, RegionOptions, FairingOptions, bpy.types
         custom_normals.put_back(part.mesh for part in regions)
         last_reports[:] = [part.result.report for part in regions]
         for part in regions:
-            kind, text = messages.faired(part.result.report, self.continuity)
+            kind, text = messages.faired(part.result.report, self.asked_continuity())
             self.tell({kind}, messages.name_before(regions, part) + text)
             remember(part)
         return {"FINISHED"}

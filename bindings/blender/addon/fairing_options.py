@@ -76,6 +76,12 @@ class CurvatureOption:
 class FairingOptions(CurvatureOption):
     """Mixed into operators and settings. Every identifier in lower case is the library's name of the choice."""
 
+    curvature: selection(
+        "Curvature",
+        "Whether the surface goes on as curved as the faces around it, so that reflections show no edge",
+        ("AUTO", "Where Certain", "It does where the faces around tell it, else it goes on smoothly"),
+        ("PART", "By Factor", "As far as Match Curvature says, along all boundaries"),
+    )
     inner_fairness: selection(
         "Distribution",
         "How vertices are spread within the surface. The shape of the surface hardly depends on it",
@@ -156,7 +162,9 @@ class FairingOptions(CurvatureOption):
         """All options, the constant only where it counts."""
         choice(layout, self, "inner_fairness", "Distribution")
         choice(layout, self, "boundary_normals", "Tangents")
-        self.draw_continuity(layout)
+        choice(layout, self, "curvature", "Curvature")
+        if self.curvature == "PART":
+            self.draw_continuity(layout)
         choice(layout, self, "sharp", "Sharp Edges")
         if self.sharp == "ANGLE":
             layout.prop(self, "sharp_angle")
@@ -166,6 +174,10 @@ class FairingOptions(CurvatureOption):
         layout.prop(self, "digits")
         layout.prop(self, "max_iterations")
         layout.prop(self, "check_intersections")
+
+    def asked_continuity(self):
+        """How far curvature goes on, as the library takes it."""
+        return "auto" if self.curvature == "AUTO" else self.continuity
 
     def marked_keywords(self):
         """A function from a `Snapshot` to its edges that are sharp because they are marked, for `fairmesh.fair`."""
@@ -182,7 +194,7 @@ class FairingOptions(CurvatureOption):
         return {
             "inner_fairness": self.inner_fairness.lower(),
             "boundary_normals": self.boundary_normals.lower(),
-            "continuity": self.continuity,
+            "continuity": self.asked_continuity(),
             "sharp": _SHARP.get(self.sharp, math.degrees(self.sharp_angle)),
             "target": target,
             "tolerance": 10.0**-self.digits,

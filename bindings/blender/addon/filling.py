@@ -73,7 +73,7 @@ class Filling(FairingOptions, PatchOptions):
 
     def told(self, holes):
         """How it went."""
-        return messages.filled(holes.result.loops, holes.places(), self.continuity, holes.mesh.size)
+        return messages.filled(holes.result.loops, holes.places(), self.asked_continuity(), holes.mesh.size)
 
     def work_on(self, chosen):
         """A function for the thread that fills all of `chosen`, a list of `Holes`."""

@@ -148,7 +148,7 @@ class MESH_OT_fairmesh_live(Background, RegionOptions, FairingOptions, bpy.types
         snapshot.write_positions(live.mesh, indices, positions)
         custom_normals.put_back([live.mesh])
         fair_operator.last_reports[:] = [live.result.report]
-        kind, text = messages.faired(live.result.report, self.continuity)
+        kind, text = messages.faired(live.result.report, self.asked_continuity())
         self.tell({kind}, text)
         fair_operator.remember(live)
         return {"FINISHED"}

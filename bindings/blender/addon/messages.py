@@ -66,10 +66,10 @@ def _named(why):
 
 
 def faired(report, continuity=0.0, is_patch=False):
-    """How a fairing, or that of new faces, went; `continuity` of curvature was asked for: ("INFO" or "WARNING", text)."""
+    """How a fairing, or that of new faces, went; curvature was to go on so far, or "auto": ("INFO" or "WARNING", text)."""
     count = _many(report.iterations, "iteration", "iterations")
     vertices = f"{_many(report.free_vertices, 'vertex', 'vertices')} faired in {count}"
-    short = _short_of_curvature([report], continuity) + ("" if is_patch else _sharp_edges([report]))
+    short = _curvature([report], continuity) + ("" if is_patch else _sharp_edges([report]))
     if report.outcome is Outcome.CONVERGED:
         return "INFO", vertices + short
     figures = _FIGURES.get(report.outcome, "").format(r=report, reached=100 * report.reached)
@@ -78,11 +78,14 @@ def faired(report, continuity=0.0, is_patch=False):
     return "WARNING", _sentences(text, advice.remedy(answer, is_patch)) + short
 
 
-def _short_of_curvature(reports, asked):
-    """Where the curvature of the surroundings is not continued as far as was asked; empty where it is."""
+def _curvature(reports, asked):
+    """Where curvature is continued unasked, or not as far as was asked; empty where all is as asked."""
     if asked == 0 or not reports:
         return ""
     loops = [loop for report in reports for component in report.components for loop in component.continuity]
+    if asked == "auto":
+        count = sum(loop.reached > 0 for loop in loops)
+        return f"; curvature goes on along {count} of {_many(len(loops), 'boundary', 'boundaries')}" if count else ""
     if not loops:
         return "; curvature is not continued: no boundary has surroundings and vertices enough, or no surface was found"
     # Where the jump is no larger than the doubt about it, there is nothing to be continued.
@@ -134,7 +137,7 @@ def filled(loops, places, continuity=0.0, size=1.0):
     if coarse:
         text += f"; {coarse} coarser than asked, to keep the number of vertices"
     reports = [loop.report for loop in closed if loop.report is not None]
-    text += _short_of_curvature(reports, continuity) + _sharp_edges(reports)
+    text += _curvature(reports, continuity) + _sharp_edges(reports)
     return ("WARNING" if rough or still or coarse else "INFO"), text
 
 

@@ -69,7 +69,9 @@ class RimOptions:
     relax_rim: count(
         "Smooth Rim",
         "For the rough boundaries of scans: so many rings of vertices around a hole, those of its boundary counted, "
-        "may move onto the smooth surface there; 3 is a good number. 0: the faces around the hole stay as they are",
+        "may move onto the smooth surface there; 3 is a good number. 0: the faces around the hole stay as they are. "
+        "-1: as many as are advised around holes that are rough, and where nothing folds",
+        least=-1,
         soft_max=8,
     )
     relax_within: distance("Rim Limit", "No vertex of the rim moves further than this. 0: than the edges there are long")
@@ -79,8 +81,8 @@ class RimOptions:
         rings, within = self.relax_rim, self.relax_within
 
         def keywords(size):
-            has_limit = rings > 0 and within > 0
-            return {"relax_rim": rings, "relax_within": within / size if has_limit else None}
+            has_limit = rings != 0 and within > 0
+            return {"relax_rim": "auto" if rings < 0 else rings, "relax_within": within / size if has_limit else None}
 
         return keywords
 

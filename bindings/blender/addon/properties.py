@@ -14,9 +14,9 @@ def switch(name, description, default=False):
     return BoolProperty(name=name, description=description, default=default)
 
 
-def count(name, description, **more):
+def count(name, description, least=0, **more):
     """A number of things, by default none."""
-    return IntProperty(name=name, description=description, default=0, min=0, **more)
+    return IntProperty(name=name, description=description, default=0, min=least, **more)
 
 
 def distance(name, description):

@@ -527,7 +527,7 @@ def test_options_reach_the_library():
         {"inner_fairness": "CONFORMAL"},
         {"inner_fairness": "CONVEX"},
         {"boundary_normals": "AVERAGED"},
-        {"boundary_normals": "AVERAGED", "continuity": 1.0},
+        {"boundary_normals": "AVERAGED", "curvature": "PART", "continuity": 0.5},
         {"target": "MINIMAL_ENERGY"},
         {"target": "CONSTANT", "constant": 10.0},
         {"digits": 3},
@@ -562,6 +562,9 @@ def test_what_is_not_continued_is_told():
     assert kind == "INFO" and "continued by 0.25 in place of 1.00" in text and "40 vertices at vertex 7" in text, text
     assert "curvature" not in messages.faired(Report, 0.25)[1]
     assert "curvature" not in messages.faired(Report)[1]
+    assert "curvature goes on along 1 of 1 boundary" in messages.faired(Report, "auto")[1]
+    Loop.reached = 0.0
+    assert "curvature" not in messages.faired(Report, "auto")[1]
     Loop.uncertainty = 0.3
     assert "curvature" not in messages.faired(Report, 1.0)[1]
     Component.continuity = ()

@@ -120,14 +120,17 @@ def noisy(points):
 
 def test_a_preset_for_scans_and_one_for_clean_parts():
     errors = {}
-    for preset in ("Default", "Scan_Hole", "CAD"):
-        take(preset)
+    for preset in ("Default", "Scan_Hole", "CAD", "Tangent"):
+        take("Default" if preset == "Tangent" else preset)
+        if preset == "Tangent":
+            bpy.context.scene.fairmesh.curvature = "PART"
         open_sphere(noisy, 0.6)
         errors[preset, "scan"] = rms(np.linalg.norm(fill(), axis=1))
         open_sphere(lambda points: points * AXES, 0.5)
         errors[preset, "part"] = rms(np.linalg.norm(fill() / AXES, axis=1))
     assert errors["Scan_Hole", "scan"] < errors["Default", "scan"] / 5, errors
-    assert errors["CAD", "part"] < errors["Default", "part"] / 3.5, errors
+    assert errors["CAD", "part"] < errors["Tangent", "part"] / 3.5, errors
+    assert errors["Default", "part"] < errors["Tangent", "part"] / 3.5, errors
 
 
 def test_a_preset_leaves_nothing_of_another_one():
@@ -136,9 +139,9 @@ def test_a_preset_leaves_nothing_of_another_one():
     take("Scan_Hole")
     assert (settings.relax_rim, settings.density) == (3, 1.0)
     take("CAD")
-    assert settings.relax_rim == 0 and settings.continuity == 1.0
+    assert (settings.relax_rim, settings.curvature, settings.continuity) == (0, "PART", 1.0)
     take("Default")
-    assert settings.continuity == 0.0
+    assert (settings.curvature, settings.continuity) == ("AUTO", 0.0)
 
 
 def test_users_add_presets_of_their_own():

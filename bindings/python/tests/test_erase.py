@@ -89,3 +89,6 @@ def test_roughness_of_loops():
     advice = {"relax_rim": rough.advised_relax_rim, "relax_within": rough.advised_relax_within}
     filled = fairmesh.fill_holes(shaken, faces, **advice)
     assert filled.loops[0].moved is not None and advice["relax_rim"] > 0
+    followed = fairmesh.fill_holes(shaken, faces, relax_rim="auto")
+    assert followed.loops[0].moved.count == filled.loops[0].moved.count
+    assert fairmesh.fill_holes(vertices, faces, relax_rim="auto").loops[0].moved is None

@@ -188,7 +188,7 @@ WRONG_VALUES = {
     "boundary_normals: 1 rows, but 2 are needed": {"boundary_normals": ([1, 2], [[0, 0, 1]])},
     "boundary_normals: the shape has to be (n, 3), not (3,)": {"boundary_normals": [0, 0, 1]},
     "boundary_normals: 'flat' is neither 'fitted' nor 'averaged' nor an array": {"boundary_normals": "flat"},
-    "continuity: 'g3' is neither 'g1' nor 'g2' nor a number": {"continuity": "g3"},
+    "continuity: 'g3' is neither 'auto' nor 'g1' nor 'g2' nor a number": {"continuity": "g3"},
     "sharp: 'on' is neither 'auto' nor 'off' nor a number": {"sharp": "on"},
     "boundary_curvature: 'exact' is neither 'estimated' nor a mapping nor an array": {"boundary_curvature": "exact"},
     "boundary_curvature: 440 numbers, but 441 are needed": {"boundary_curvature": EXACT[1:, 0]},

@@ -39,7 +39,9 @@ export interface LoopChoice {
 export type PatchOptions = Omit<abi.PlainFillOptions, "onlyListed" | (typeof OF_HOLES)[number]>;
 
 /** Options of `fillHoles`. */
-export interface FillOptions extends FairingOptions, LoopChoice, Omit<abi.PlainFillOptions, "onlyListed">, abi.RowsFillOptions {
+export interface FillOptions extends FairingOptions, LoopChoice, Omit<abi.PlainFillOptions, "onlyListed" | "relaxRim">, abi.RowsFillOptions {
+    /** Rings of vertices around a hole that may move, for boundaries that are noise; "auto": as many as are advised. Default: 0. */
+    relaxRim?: "auto" | number | undefined;
     /** Which loops get one patch together: "none" (default); groups of them; or "auto", as `suggestJoins` finds them. */
     join?: "none" | "auto" | readonly Indices[] | undefined;
 }

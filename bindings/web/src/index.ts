@@ -188,9 +188,9 @@ export class Fairmesh {
         return this.selectRegion(mesh, [{ kind: "patch", seed, value: angle }]).mask;
     }
 
-    /** The bump or dent at a place: where the mean curvature departs from that of the surroundings. */
-    selectBump(mesh: Mesh, seed: region.Seed): Uint8Array {
-        return this.selectRegion(mesh, [{ kind: "bump", seed }]).mask;
+    /** All of the bump or dent at a place: the one that reaches about as far as `size` along the surface, or at 0 the smallest. */
+    selectBump(mesh: Mesh, seed: region.Seed, size = 0): Uint8Array {
+        return this.selectRegion(mesh, [{ kind: "bump", seed, value: size }]).mask;
     }
 
     /** A region with the triangles that have a vertex in common with it, so often. */

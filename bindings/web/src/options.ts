@@ -1,12 +1,12 @@
 /** Options given to the library's structs. Defaults are the library's: what is undefined is not touched. */
 
-import { enums, type PlainOptions, rows, type RowsOptions, SHARP_AUTO, structs } from "./abi.js";
+import { CONTINUITY_AUTO, enums, type PlainOptions, RELAX_AUTO, rows, type RowsOptions, SHARP_AUTO, structs } from "./abi.js";
 import { type Indices, indices, indicesIn, type Points, numbers, numbersIn, points, shown } from "./arrays.js";
 import { type EnumName, kindOf, type Library, numberOf, placeOf, plainFields, read, type Scope, type StructName, type Values, write } from "./library.js";
 import type { Watching } from "./progress.js";
 
-/** "g1" or 0: tangent planes alone; "g2" or 1: curvature, too; or a number between. */
-export type HowFar = "g1" | "g2" | number;
+/** "g1" or 0: tangent planes alone; "g2" or 1: curvature, too; or a number between; "auto": "g2" along loops where it is certain, "g1" along others. */
+export type HowFar = "auto" | "g1" | "g2" | number;
 /** "auto", "off", or an angle in degrees. */
 export type Sharp = "auto" | "off" | number;
 /** A map or list of pairs of a vertex and what belongs to it. */
@@ -22,7 +22,7 @@ export interface FairingOptions extends Omit<PlainOptions, "threads" | "continui
      * `{ vertices, vectors }`. Where none is given they are fitted. Of length 1 to 0.001.
      */
     boundaryNormals?: "fitted" | "averaged" | Points | { vertices: Indices; vectors: Points } | undefined;
-    /** How far the surface continues the mean curvature of its surroundings. Default: "g1". For the solver "fast". */
+    /** How far the surface continues the mean curvature of its surroundings. Default: "auto". For the solver "fast". */
     continuity?: HowFar | undefined;
     /** The same for single boundary loops, each named by a vertex on it, in place of `continuity` there. */
     loopContinuity?: ByVertex<HowFar> | undefined;
@@ -104,6 +104,7 @@ export function known(options: object, names: readonly string[]): void {
 
 /** A plain value as it is written: an enumeration by its name, a number. */
 function plainValue(struct: StructName, name: string, value: unknown): unknown {
+    if (name === "relaxRim" && value === "auto") return RELAX_AUTO;
     const kind = kindOf(struct, name);
     if (kind in enums) return oneOf(kind as EnumName, value, name);
     if (kind === "flag") return value ? 1 : 0;
@@ -168,11 +169,12 @@ function rowsIn(scope: Scope, given: Rows, width: 1 | 2 | 3, name: string): Valu
     return indicesIn(scope, listed, width);
 }
 
-/** From 0 to 1, if the library agrees. */
+/** From 0 to 1 or auto, if the library agrees. */
 export function howFar(given: HowFar, name: string): number {
+    if (given === "auto") return CONTINUITY_AUTO;
     if (given === "g1") return 0;
     if (given === "g2") return 1;
-    if (typeof given !== "number") throw new TypeError(`${name}: ${shown(given)} is neither "g1" nor "g2" nor a number`);
+    if (typeof given !== "number") throw new TypeError(`${name}: ${shown(given)} is neither "auto" nor "g1" nor "g2" nor a number`);
     return given;
 }
 

@@ -22,7 +22,7 @@ export interface RegionStep {
     point?: Point | undefined;
     /** The largest coordinates of a box, the normal of a plane. */
     vector?: Point | undefined;
-    /** A radius, or an angle in degrees. */
+    /** A radius, an angle in degrees, or about how far a bump reaches. */
     value?: number | undefined;
     /** How many rings to grow or shrink by. */
     rings?: number | undefined;

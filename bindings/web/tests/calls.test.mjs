@@ -146,6 +146,9 @@ test("holes are found and filled", () => {
     assert.equal(loops[at].vertices.length, loops[at].vertexCount);
     assert.ok(loops[at].hasRoughness && !loops[at].isRough);
     const filled = library.fillHoles(open);
+    // Its rim is no noise.
+    assert.deepEqual(library.fillHoles(open, { relaxRim: "auto" }).positions, filled.positions);
+    assert.throws(() => library.fillHoles(open, { relaxRim: "some" }), /relaxRim/);
     const done = filled.loops.find(({ loopIndex }) => loopIndex === at);
     assert.ok(done.report.isSuccess && done.vertexCount === filled.newVertexCount && filled.newVertexCount > 10);
     assert.deepEqual(filled.positions.subarray(0, open.positions.length), open.positions);

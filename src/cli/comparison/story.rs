@@ -4,7 +4,7 @@ use fairmesh::{FillOutcome, LoopReport, Outcome, Report};
 
 use super::page::Story;
 use crate::advice::of_patch;
-use crate::continuity;
+use crate::continuity::{self, Asked};
 use crate::explain;
 use crate::figures::{VERTICES, listed, range, significant};
 
@@ -17,15 +17,15 @@ const KINKS: &str = "; a kink there is a jump of curvature, which '--continuity 
 const ROUGH: f64 = 5.0;
 
 /// Of a region that was faired.
-pub fn of_fairing(report: &Report, asks_continuity: bool, remedy: &str, printed: String) -> Story {
+pub fn of_fairing(report: &Report, asked: Asked, remedy: &str, printed: String) -> Story {
     let is_good = report.outcome == Outcome::Converged;
     let mut facts = vec![("vertices that moved", report.free_vertices.to_string())];
-    facts.extend(surface(report, asks_continuity));
+    facts.extend(surface(report, asked));
     Story {
         command: "fair",
         is_good,
         outcome: explain::outcome(report),
-        advice: advice([remedy], is_good, !asks_continuity && is_smooth(report)),
+        advice: advice([remedy], is_good, asked == Asked::Tangent && is_smooth(report)),
         facts: named(facts),
         printed,
     }
@@ -39,7 +39,7 @@ pub fn of_blends(report: &Report, printed: String) -> Story {
         is_good,
         outcome: explain::outcome(report),
         advice: advice([""], is_good, false),
-        facts: named(surface(report, false)),
+        facts: named(surface(report, Asked::Tangent)),
         printed,
     }
 }
@@ -49,7 +49,7 @@ pub fn of_patches(
     command: &'static str,
     (is_good, outcome): (bool, String),
     patches: &[(String, String, &LoopReport)],
-    asks_continuity: bool,
+    asked: Asked,
     printed: String,
 ) -> Story {
     let mut facts = Vec::new();
@@ -59,9 +59,7 @@ pub fn of_patches(
             continue;
         }
         let fairing = report.fairing.iter();
-        let mut about = fairing
-            .flat_map(|of| surface(of, asks_continuity))
-            .collect::<Vec<_>>();
+        let mut about = fairing.flat_map(|of| surface(of, asked)).collect::<Vec<_>>();
         // Of a patch the pairs are told by its own report.
         about.retain(|(name, _)| *name != INTERSECTIONS);
         let pairs = report.self_intersections.len();
@@ -78,7 +76,7 @@ pub fn of_patches(
     let mut faired = patches
         .iter()
         .filter_map(|(_, _, report)| report.fairing.as_ref());
-    let has_more = !asks_continuity && faired.all(is_smooth);
+    let has_more = asked == Asked::Tangent && faired.all(is_smooth);
     Story {
         command,
         is_good,
@@ -99,7 +97,7 @@ fn counted(pairs: usize) -> String {
 }
 
 /// How sound a surface is, and how it meets what is around it.
-fn surface(report: &Report, asks_continuity: bool) -> Vec<(&'static str, String)> {
+fn surface(report: &Report, asked: Asked) -> Vec<(&'static str, String)> {
     let quality = &report.quality;
     let [kink, before] = [quality.boundary_kink, quality.boundary_kink_before].map(significant);
     let mut rows = vec![
@@ -118,8 +116,8 @@ fn surface(report: &Report, asks_continuity: bool) -> Vec<(&'static str, String)
         ("mean curvature inside", range(quality.h_inside)),
         ("mean curvature at the boundary", range(quality.h_boundary)),
     ];
-    if asks_continuity {
-        let lines = continuity::lines(&report.components);
+    let lines = continuity::lines(&report.components, asked);
+    if !lines.is_empty() {
         rows.push(("continuous curvature", lines.join("; ")));
     }
     rows.push((

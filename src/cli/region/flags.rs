@@ -17,6 +17,8 @@ pub enum Part {
     Grow(usize),
     Shrink(usize),
     Invert,
+    /// About how far the bump before it reaches.
+    BumpSize(f64),
     /// How the next region is combined with those before it.
     Combine(Combine),
 }
@@ -29,7 +31,7 @@ struct Flag {
     help: &'static str,
 }
 
-const FLAGS: [Flag; 12] = [
+const FLAGS: [Flag; 13] = [
     Flag {
         name: "ball",
         value: Some("X,Y,Z,RADIUS"),
@@ -70,7 +72,13 @@ const FLAGS: [Flag; 12] = [
         name: "bump",
         value: Some("PLACE"),
         read: bump,
-        help: "The bump or dent at a place: as far as its curvature differs from that of the\nsurroundings; the report says what was taken",
+        help: "All of the bump or dent at a place, the smallest one there; the report says what\nwas taken, and how sure it is",
+    },
+    Flag {
+        name: "bump-size",
+        value: Some("RADIUS"),
+        read: bump_size,
+        help: "The --bump before it is one that reaches about as far as this, as a nose with a\npimple on it",
     },
     Flag {
         name: "color",
@@ -161,7 +169,19 @@ impl FromArgMatches for RegionSteps {
             }
         }
         found.sort_by_key(|entry| entry.0);
-        let steps: Vec<(String, Part)> = found.into_iter().map(|(_, told, part)| (told, part)).collect();
+        let mut steps: Vec<(String, Part)> = Vec::new();
+        for (_, told, part) in found {
+            let Part::BumpSize(radius) = part else {
+                steps.push((told, part));
+                continue;
+            };
+            let Some((before, Part::Region(Region::Bump { size, .. }))) = steps.last_mut() else {
+                let why = format!("{told}: --bump PLACE has to come before it\n");
+                return Err(clap::Error::raw(ErrorKind::ValueValidation, why));
+            };
+            *size = Some(radius);
+            *before = format!("{before} {told}");
+        }
         let names_a_region = |part: &Part| matches!(part, Part::Region(_) | Part::Colour(..));
         for (k, (told, part)) in steps.iter().enumerate() {
             let next = steps.get(k + 1).map(|(_, next)| next);
@@ -292,7 +312,20 @@ fn patch(text: &str) -> Result<Part, String> {
 }
 
 fn bump(text: &str) -> Result<Part, String> {
-    Ok(Part::Region(Region::Bump(place(&numbers(text)?)?)))
+    Ok(Part::Region(Region::Bump {
+        seed: place(&numbers(text)?)?,
+        size: None,
+    }))
+}
+
+fn bump_size(text: &str) -> Result<Part, String> {
+    let radius = text
+        .parse()
+        .ok()
+        .filter(|radius: &f64| *radius > 0.0 && radius.is_finite());
+    radius
+        .map(Part::BumpSize)
+        .ok_or_else(|| "expected a radius above 0".to_owned())
 }
 
 fn colour(text: &str) -> Result<Part, String> {

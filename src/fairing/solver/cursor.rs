@@ -164,6 +164,10 @@ impl Cursor {
         shares: &mut ComponentWeights<'_>,
     ) -> Result<SolveResult, Error> {
         let free = self.free();
+        // Given normals, edits and the target have their say in it, and may be other ones than in the last run.
+        let (fixed, before) = (&self.prescribed.fixed, &self.unedited.prescribed.fixed);
+        let asked = self.prepared.asked_continuity(options, |b| fixed[b] != before[b]);
+        self.system.ask_continuity(asked);
         let mut tell =
             |fraction, iterations, step, phase| shares.tell(free, (fraction, iterations, step, phase));
         let mut control = Control::new(options.tolerance, options.max_iterations, Some(&mut tell));
@@ -310,11 +314,9 @@ impl Cursor {
         self.aim(&[]);
     }
 
-    /// Takes what the options say of the curvature along the boundary loops.
-    pub(super) fn set_continuity(&mut self, options: &Options) {
+    /// The next run takes what its options say of the curvature along the boundary loops.
+    pub(super) fn change_continuity(&mut self) {
         self.change();
-        self.system
-            .ask_continuity(self.prepared.asked_continuity(options));
         self.aim(&[]);
     }
 

@@ -4,8 +4,10 @@ use std::borrow::Cow;
 
 use nalgebra::Vector3;
 
+use super::options::Rim;
 use super::relax::{RelaxedRim, RimVertex, relaxed};
 use super::report::RimReport;
+use super::roughness::roughness;
 use crate::fairing::{BoundaryNormals, Intersections, Options, SelfIntersections};
 use crate::holes::links::Links;
 use crate::holes::loop_set::normal;
@@ -20,6 +22,22 @@ use crate::support::entries::sort_by_number;
 /// A triangle whose normal has less than this of the fitted one is folded: 60 degrees.
 /// Of 3 cases, half: none changes; double: 0 change, 3 fail.
 const TURNED: f64 = 0.5;
+
+/// The loops of a patch that are rough, and what is advised for them.
+fn advised<'l>(
+    rim: Rim,
+    links: &Links<'_>,
+    positions: &[[f64; 3]],
+    loops: &[&'l BoundaryLoop],
+    place: &mut [u32],
+) -> (Rim, Vec<&'l BoundaryLoop>) {
+    let advice = |of: &&BoundaryLoop| roughness(links, positions, of, place)?.advice;
+    let advice: Vec<_> = loops.iter().map(advice).collect();
+    let rough = loops.iter().zip(&advice).filter(|(_, advice)| advice.is_some());
+    let relax = advice.iter().flatten().map(|advice| advice.relax).max();
+    let relax = relax.unwrap_or(0);
+    (Rim { relax, ..rim }, rough.map(|(of, _)| *of).collect())
+}
 
 /// What became of the vertices around the loops of all patches.
 pub(in crate::holes) struct Rims<'m> {
@@ -48,10 +66,18 @@ impl<'m> Rims<'m> {
         patches: impl Iterator<Item = (usize, Vec<&'l BoundaryLoop>)>,
     ) {
         let given = self.positions.to_vec();
-        let mut place = vec![NONE; given.len()];
+        let mut place = vec![NONE; given.len().max(links.triangles.len())];
         let mut wanted: Vec<(RimVertex, usize)> = Vec::new();
+        let is_auto = options.rim.relax == Rim::AUTO;
         for (i, loops) in patches {
-            let moved = relaxed(&options.rim, links, &given, &loops, &mut place);
+            let (rim, loops) = match is_auto {
+                true => advised(options.rim, links, &given, &loops, &mut place),
+                false => (options.rim, loops),
+            };
+            if loops.is_empty() {
+                continue;
+            }
+            let moved = relaxed(&rim, links, &given, &loops, &mut place);
             wanted.extend(moved.places.iter().map(|&of| (of, i)));
             self.of[i] = Some(moved);
         }
@@ -69,6 +95,22 @@ impl<'m> Rims<'m> {
         if options.fairing.intersections == Intersections::Check {
             self.intersect(&given, links.triangles);
         }
+        if is_auto {
+            self.put_back(&given);
+        }
+    }
+
+    /// Leaves what would be folded or intersect as it is.
+    fn put_back(&mut self, given: &[[f64; 3]]) {
+        let of = &self.of;
+        let is_bad = |i: usize| of[i].as_ref().is_some_and(|of| !of.report.is_sound());
+        let (bad, good) = self.owners.iter().partition(|(_, i)| is_bad(*i));
+        let bad: Vec<(u32, usize)> = bad;
+        for (v, i) in bad {
+            self.positions.to_mut()[v as usize] = given[v as usize];
+            self.of[i] = None;
+        }
+        self.owners = good;
     }
 
     fn owner(&self, v: u32) -> Option<usize> {

@@ -83,7 +83,8 @@ pub fn rim_roughness(
     }))
 }
 
-fn roughness(
+/// How rough the rim of a loop is. `place` is as long as the mesh has vertices or triangles, all [`NONE`]; it is left so.
+pub(super) fn roughness(
     links: &Links<'_>,
     positions: &[[f64; 3]],
     of: &BoundaryLoop,

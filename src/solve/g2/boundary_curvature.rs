@@ -12,8 +12,10 @@ use crate::discrete::loop_modes::LoopModes;
 use crate::discrete::trace::{Reach, Trace};
 use crate::mesh::boundary_loops::boundary_loops;
 use crate::solve::domain::Domain;
-use crate::solve::g2::outside_curvature::{MOST_FITS, Outside};
-use crate::solve::g2::shrinkage::Trusted;
+use crate::solve::g2::estimator::{Estimated, MOST_ESTIMATES};
+use crate::solve::g2::outside::Outside;
+use crate::solve::g2::outside_curvature::OutsideCurvature;
+use crate::solve::g2::shrinkage::{Trusted, is_seen};
 
 /// The most modes of a loop.
 /// Of 14 cases, half: 1 changes by up to 2 edges, -15 % iterations; double: none changes.
@@ -28,25 +30,65 @@ const NEAR: usize = 3;
 /// Of 14 cases, half: 8 change by up to 1 edge, -14 % iterations; double: 8 change by up to 0.8 edges, -2 % iterations.
 const STEADY: f64 = 5.0;
 
+/// How much of the way to the curvature of the surroundings is asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Blend {
+    /// All of it, along loops where the curvature is certain; else nothing.
+    Auto,
+    /// From 0, tangent planes alone, to 1.
+    Part(f64),
+}
+
+impl Blend {
+    /// At most.
+    pub(in crate::solve) fn part(self) -> f64 {
+        match self {
+            Self::Auto => 1.0,
+            Self::Part(part) => part,
+        }
+    }
+}
+
+impl Default for Blend {
+    fn default() -> Self {
+        Self::Part(0.0)
+    }
+}
+
 /// Continuity of the curvature, as it is asked for.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct AskedContinuity {
-    /// From 0, tangent planes alone, to 1.
-    pub blend: f64,
+    /// How much of the way.
+    pub blend: Blend,
     /// What is asked of single loops in its place, by boundary vertex, with the place in what was handed over; empty: nothing.
-    pub of_loops: Vec<Option<(usize, f64)>>,
+    pub of_loops: Vec<Option<(usize, Blend)>>,
     /// `H` where it is given, by boundary vertex; empty: nowhere.
     pub given: Vec<Option<f64>>,
+    /// Where the normal or the place is not that of the surroundings, by boundary vertex.
+    pub is_given: Vec<bool>,
 }
 
 impl AskedContinuity {
     /// What is asked of the loop of these boundary vertices. Of several numbers for it the last one holds.
-    pub(in crate::solve) fn of_loop(&self, vertices: &[u32]) -> f64 {
+    pub(in crate::solve) fn of_loop(&self, vertices: &[u32]) -> Blend {
         let own = vertices
             .iter()
             .filter_map(|&b| self.of_loops.get(b as usize).copied().flatten());
-        own.max_by_key(|(place, _)| *place)
-            .map_or(self.blend, |(_, blend)| blend)
+        let blend = own
+            .max_by_key(|(place, _)| *place)
+            .map_or(self.blend, |(_, blend)| blend);
+        // Who gives normals or places alone does not mean the shape of the surroundings.
+        let is_given = || vertices.iter().any(|&b| self.is_given[b as usize]);
+        let has_curvature = || vertices.iter().any(|&b| self.given_at(b).is_some());
+        match blend {
+            Blend::Auto if is_given() && !has_curvature() => Blend::Part(0.0),
+            asked => asked,
+        }
+    }
+
+    /// `H` where it is given.
+    fn given_at(&self, boundary: u32) -> Option<f64> {
+        self.given.get(boundary as usize).copied().flatten()
     }
 }
 
@@ -56,7 +98,7 @@ pub(crate) struct LoopCondition {
     /// Boundary vertices in their order.
     pub vertices: Vec<u32>,
     /// How much of the way to the curvature of the surroundings is asked for.
-    pub asked: f64,
+    pub asked: Blend,
     /// Where no earlier loop has the same vertex: loops may touch.
     pub owns: Vec<bool>,
     /// The lowest modes.
@@ -181,7 +223,7 @@ pub(in crate::solve) fn loop_conditions(
         .into_iter()
         .filter(|along| along.len() >= LEAST_VERTICES_PER_MODE);
     // Where tangent planes alone are asked for, Delta_B H is 0.
-    let continued = long.filter(|along| asked.of_loop(along) > 0.0);
+    let continued = long.filter(|along| asked.of_loop(along).part() > 0.0);
     let conditions = continued.filter_map(|along| loop_condition(along, &outside, normals, surface, asked));
     let mut conditions: Vec<LoopCondition> = conditions.collect();
     let mut is_taken = vec![false; domain.region.boundary];
@@ -204,25 +246,23 @@ fn loop_condition(
     let free = domain.region.free;
     let centres = || vertices.iter().map(|b| free as u32 + b);
     let inside = BoundarySamples::new(centres(), Reach::Near.rings(), x.len(), |v| {
-        domain.rings.neighbours(v as usize)
+        domain.rings.neighbours(v as usize).iter().copied()
     });
     let rings = |k: usize| steady_rings(inside.of(k), vertices[k] as usize, free, x, normals);
     let inside = inside.within(rings);
     let is_there =
         |(k, b): (usize, &u32)| trace_inside(inside.of(k), *b as usize, free, x, normals).is_some();
     let there = vertices.iter().enumerate().filter(|at| is_there(*at)).count();
-    if (there as f64) < MOST_FITS * vertices.len() as f64 {
+    if (there as f64) < MOST_ESTIMATES * vertices.len() as f64 {
         return None;
     }
-    let given = |b: u32| asked.given.get(b as usize).copied().flatten();
-    let surroundings = outside.along(&vertices, normals, given)?;
     let polygon: Vec<_> = centres().map(|v| x[v as usize]).collect();
     let most = (vertices.len() / LEAST_VERTICES_PER_MODE).clamp(1, MOST_MODES);
     let modes = LoopModes::new(&polygon, most - (most + 1) % 2);
     let mut this = LoopCondition {
         asked: asked.of_loop(&vertices),
         inside,
-        has_surroundings: surroundings.h.iter().map(|h| h.is_some()).collect(),
+        has_surroundings: Vec::new(),
         surroundings: Vec::new(),
         target: Vec::new(),
         trusted: Trusted::default(),
@@ -233,32 +273,23 @@ fn loop_condition(
     };
     this.before = this.curvature_inside(free, (x, h), normals);
     this.target.clone_from(&this.before);
+    let is_auto = this.asked == Blend::Auto;
+    let length = length(&polygon);
+    let is_seen = |h: &Estimated| !is_auto || is_seen(&this.modes, &this.before, h, length);
+    let given = |b: u32| asked.given_at(b);
+    let surroundings = OutsideCurvature::new(outside, &this.vertices, normals, &this.modes, given, is_seen)?;
+    this.has_surroundings = surroundings.h.iter().map(|h| h.is_some()).collect();
     let known = surroundings.h.iter().zip(&this.before);
     this.surroundings = known.map(|(h, before)| h.unwrap_or(*before)).collect();
-    let offset = offsets(
-        &this.modes,
-        &polygon,
-        this.vertices.iter().map(|&b| normals[b as usize]),
-    );
-    let known = [&*this.before, &this.surroundings, &offset];
-    this.trusted = Trusted::new(&this.modes, known, &surroundings);
+    this.trusted = Trusted::new(&this.modes, &this.before, &surroundings);
+    if is_auto && !this.trusted.is_certain(length) {
+        this.trusted.leave();
+    }
     Some(this)
 }
 
-/// How far each vertex of a closed polygon lies to the side of the smooth curve through its modes, along the surface.
-fn offsets(
-    modes: &LoopModes,
-    polygon: &[Vector3<f64>],
-    normals: impl Iterator<Item = Vector3<f64>>,
-) -> Vec<f64> {
-    let coordinate = |c: usize| modes.projected(&polygon.iter().map(|p| p[c]).collect::<Vec<_>>());
-    let smooth = [0, 1, 2].map(coordinate);
-    let n = polygon.len();
-    let curve = |k: usize| Vector3::from(smooth.each_ref().map(|c| c[k % n]));
-    let to_the_side = |(k, normal): (usize, Vector3<f64>)| {
-        let along = curve(k + 1) - curve(k + n - 1);
-        let side = along.cross(&normal).try_normalize(0.0).unwrap_or_default();
-        (polygon[k] - curve(k)).dot(&side)
-    };
-    normals.enumerate().map(to_the_side).collect()
+/// Of a closed polygon.
+fn length(polygon: &[Vector3<f64>]) -> f64 {
+    let before = polygon.iter().cycle().skip(polygon.len() - 1);
+    polygon.iter().zip(before).map(|(a, b)| (a - b).norm()).sum()
 }

@@ -7,14 +7,14 @@ use crate::solve::candidate::Candidate;
 use crate::solve::control::Control;
 use crate::solve::formulation::Formulation;
 use crate::solve::g2::blend_search::BlendSearch;
-use crate::solve::g2::boundary_curvature::{LoopCondition, loop_conditions};
+use crate::solve::g2::boundary_curvature::{Blend, LoopCondition, loop_conditions};
 use crate::solve::iterate_options::{IterateOptions, IterationStatus};
 use crate::solve::quasi_newton::Iteration;
 use crate::solve::result::{LoopContinuity, SolveResult, SolveStatus, Trial};
 use crate::solve::system::System;
 
 /// What to call it in progress reports.
-const PHASE: &str = "curvature continuity";
+pub(crate) const PHASE: &str = "curvature continuity";
 /// So many parts of the way are tried at most.
 /// Of 2 cases, half: 1 changes by up to 0.2 edges, -11 % iterations; double: none changes.
 const TRIES: usize = 6;
@@ -91,7 +91,7 @@ impl Continuation {
         let allowed = (DEVIATION * deviation).max(deviation + DEVIATION_DEGREES);
         let asked = loops.iter().map(|l| {
             let along = l.vertices.iter().map(|&b| &deviations[b as usize]);
-            (asked.of_loop(&l.vertices), largest(along))
+            (asked.of_loop(&l.vertices).part(), largest(along))
         });
         let ways = BlendSearch::new(asked, allowed);
         system.set_continuity(loops);
@@ -275,7 +275,9 @@ fn came_of(l: &LoopCondition, reached: f64, inside: &[f64]) -> LoopContinuity {
     let curvature = l.modes.product(&l.surroundings, &l.surroundings).sqrt();
     let uncertainty = l.trusted.uncertainty;
     LoopContinuity {
-        is_short: reached < 0.5 * l.asked && jump[0] > uncertainty.max(NEGLIGIBLE * curvature),
+        is_short: l.asked != Blend::Auto
+            && reached < 0.5 * l.asked.part()
+            && jump[0] > uncertainty.max(NEGLIGIBLE * curvature),
         vertex: l.vertices[0],
         vertices: l.vertices.len(),
         asked: l.asked,

@@ -4,4 +4,5 @@ import bpy
 
 settings = bpy.context.scene.fairmesh
 settings.reset()
+settings.curvature = "PART"
 settings.continuity = 1.0

@@ -361,9 +361,13 @@ void given_curvature() {
     CHECK(continued(0.0, "mine", -1.25) != fitted);
     auto mesh = selected_cap<Doubles>();
     auto before = points_of(mesh);
-    CHECK(fairmesh::fair(mesh).continuity.empty());
+    CHECK(fairmesh::fair(mesh).continuity.size() == 1); // the default: continued where it is certain
     mesh = selected_cap<Doubles>();
     fairmesh::openmesh_options options;
+    options.continuity = 0.0;
+    CHECK(fairmesh::fair(mesh, options).continuity.empty());
+    mesh = selected_cap<Doubles>();
+    options = {};
     options.boundary_curvature_property = "nowhere";
     CHECK(says(thrown<std::invalid_argument>([&] { fairmesh::fair(mesh, options); }), "nowhere"));
     CHECK(points_of(mesh) == before);

@@ -24,13 +24,15 @@ class ArrayLike(Protocol):
 
 #: "fitted", "averaged", (n, 3) unit vectors with rows of zeros or NaN where none is given, or (indices, (k, 3)).
 Normals = Union[Literal["fitted", "averaged"], ArrayLike, tuple[ArrayLike, ArrayLike]]
-#: "g1", "g2", or a number from 0 (g1) to 1 (g2).
-HowFar = Union[Literal["g1", "g2"], float]
+#: "auto" (g2 where it is certain), "g1", "g2", or a number from 0 (g1) to 1 (g2).
+HowFar = Union[Literal["auto", "g1", "g2"], float]
 #: "estimated", {index: H}, (indices, (k,)), or (n,) numbers with NaN where none is given.
 Curvature = Union[Literal["estimated"], abc.Mapping[int, float], ArrayLike, tuple[ArrayLike, ArrayLike]]
-#: {index of a vertex of the loop: "g1", "g2" or a number}.
+#: {index of a vertex of the loop: "auto", "g1", "g2" or a number}.
 LoopContinuity = abc.Mapping[int, HowFar]
 #: "auto", "off", or an angle in degrees.
 Sharp = Union[Literal["auto", "off"], float]
+#: "auto", or a number of rings.
+Rings = Union[Literal["auto"], int]
 #: "harmonic", "minimal_energy", or a constant in 1 / length^3.
 Target = Union[Literal["harmonic", "minimal_energy"], float]

@@ -90,6 +90,8 @@ def set_options(struct: ctypes.Structure, given: Mapping[str, Any]) -> None:
             setattr(struct, name, _number(value, name, getattr(_abi, of)))
         elif how == "count":
             setattr(struct, name, whole(value, name, int(of)))
+        elif how == "rings":
+            setattr(struct, name, _abi.RELAX_AUTO if value == "auto" else whole(value, name, 64))
         elif how in ("pairs", "indices"):
             listed = _arrays.pairs(value, name) if how == "pairs" else _arrays.indices(value, name)
             setattr(keep(struct, listed), name, _arrays.indices_view(listed))
@@ -124,8 +126,8 @@ def _number(value: Any, name: str, of: Any) -> int:
 
 
 def how_far(value: HowFar, name: str) -> float:
-    """From 0 to 1, if the library agrees."""
-    return _real_or_word(value, name, {"g1": 0.0, "g2": 1.0})
+    """From 0 to 1 or auto, if the library agrees."""
+    return _real_or_word(value, name, {"auto": _abi.CONTINUITY_AUTO, "g1": 0.0, "g2": 1.0})
 
 
 def sharp_angle(value: Sharp) -> float:

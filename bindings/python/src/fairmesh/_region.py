@@ -158,25 +158,32 @@ def select_patch(
 
 
 @overload
-def select_bump(mesh: MeshLike, /, seed: ArrayLike | int, **keywords: Unpack[SelectKeywords]) -> Mask: ...
+def select_bump(
+    mesh: MeshLike, /, seed: ArrayLike | int, size: float = ..., **keywords: Unpack[SelectKeywords]
+) -> Mask: ...
 @overload
 def select_bump(
-    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike | int, **keywords: Unpack[SelectKeywords]
+    vertices: ArrayLike, faces: ArrayLike, seed: ArrayLike | int, size: float = ..., **keywords: Unpack[SelectKeywords]
 ) -> Mask: ...
 @of_mesh(SelectKeywords)
-def select_bump(mesh: _arrays.Mesh, seed: ArrayLike | int, **keywords: Unpack[SelectKeywords]) -> Mask:
-    """The bump or dent at a place: where the mean curvature departs from that of the surroundings, as a mask (m,).
+def select_bump(
+    mesh: _arrays.Mesh, seed: ArrayLike | int, size: float = 0.0, **keywords: Unpack[SelectKeywords]
+) -> Mask:
+    """All of the bump or dent at a place, as a mask (m,).
+
+    It is the least region whose fair surface stays what it is when the region grows.
 
     Args:
         mesh, coincident: As in `fair`.
         seed: A vertex by its number, or x, y, z: the point of the surface that is nearest.
+        size: About how far it reaches along the surface, as a nose with a pimple on it. Default 0: the smallest one.
         progress, cancel: As in `fair`.
 
     Raises:
-        InputError: The curvature does not tell where a bump ends (`Status.NO_BUMP`).
+        InputError: Nothing tells where a bump ends (`Status.NO_BUMP`).
 
     """
-    return _chosen(keywords, mesh, _seeded(_kinds.BUMP, seed))
+    return _chosen(keywords, mesh, _seeded(_kinds.BUMP, seed, real(size, "size")))
 
 
 @overload
