@@ -1,19 +1,13 @@
 #!/usr/bin/env bash
 # Packs the crates that are published into target/packaging/dist, each compiled by cargo from its .crate file alone, and installs the command line
 # from them and runs it. Then `cargo binstall`'s entries in src/cli/Cargo.toml are compared with the archives of build.sh that are there.
-#   packaging/crates.sh          builds and checks
-#   packaging/crates.sh --publish [--dry-run]    hands them to crates.io; needs CARGO_REGISTRY_TOKEN
+#   packaging/crates.sh
 # The C interface is not among them: programs take it as an archive (build.sh), with its headers.
 set -euo pipefail
 . "$(dirname "$0")/tools.sh"
-CRATES=(fairmesh-linear fairmesh-shapes fairmesh-process fairmesh fairmesh-cli)
 names=()
 for crate in "${CRATES[@]}"; do names+=(-p "$crate"); done
 cd "$root"
-if [ "${1-}" = --publish ]; then
-    # Each after those that it needs; cargo waits until they are there. They were compiled when they were packed.
-    exec cargo publish --locked --no-verify "${names[@]}" "${@:2}"
-fi
 work=$out/crates
 # Whether it compiles is asked, not how fast it is: the program that is installed has its own profile.
 export CARGO_TARGET_DIR=$work/target CARGO_PROFILE_DEV_OPT_LEVEL=0

@@ -41,6 +41,7 @@ Installed-Size: $(du -k --apparent-size -s "$tree/usr" | cut -f1)
 Depends: libc6 (>= $GLIBC)
 Section: graphics
 Priority: optional
+Homepage: $repository
 Description: fill holes, remove bumps, blend and join meshes, exactly smooth
  Closes holes, takes bumps, dents and noise away, and joins tubes: the part of
  a mesh that is chosen gets the smoothest shape that goes on from what is

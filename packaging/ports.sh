@@ -4,7 +4,6 @@
 #   packaging/ports.sh [URL]    where the archives are; without it in the release of this version
 set -euo pipefail
 . "$(dirname "$0")/tools.sh"
-repository=$(sed -n 's/^repository = "\(.*\)"/\1/p' "$root/Cargo.toml" | head -1)
 url=${1:-$repository/releases/download/v$version}
 ports=$out/ports
 

@@ -6,6 +6,8 @@ PATH=$PATH:$HOME/.cargo/bin
 out=${CARGO_TARGET_DIR:-$root/target}/packaging
 dist=$out/dist
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' "$root/Cargo.toml" | head -1)
+# Where the project is published: what is packed takes all its addresses from here.
+repository=$(sed -n 's/^repository = "\(.*\)"/\1/p' "$root/Cargo.toml" | head -1)
 major=${version%%.*}
 minor=${version#*.}
 minor=${minor%%.*}
@@ -13,6 +15,8 @@ minor=${minor%%.*}
 interface=$major
 [ "$major" != 0 ] || interface=0.$minor
 TARGETS="linux-x86_64 linux-aarch64 windows-x86_64 macos-x86_64 macos-aarch64 wasm32"
+# Those that are published, each after those that it needs.
+CRATES=(fairmesh-linear fairmesh-shapes fairmesh-process fairmesh fairmesh-cli)
 # bindings/python/build_library.py reads them here: the oldest glibc, and the tools that link for it.
 GLIBC=2.28
 PINNED="ziglang==0.17.0 cargo-zigbuild==0.24.0"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import platform
+import re
 import shutil
 import sys
 import sysconfig
@@ -11,11 +12,27 @@ from pathlib import Path
 from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+from hatchling.metadata.plugin.interface import MetadataHookInterface
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import build_library
 
 LICENCES = ("LICENSE-MIT", "LICENSE-APACHE")
+
+
+class Addresses(MetadataHookInterface):
+    """The links that PyPI shows."""
+
+    def update(self, metadata: dict[str, Any]) -> None:
+        """Called by hatchling, but not in a source distribution, which has them already."""
+        repository = stated("repository")
+        metadata["urls"] = {
+            "Homepage": repository,
+            "Documentation": "https://docs.rs/fairmesh",
+            "Source": repository,
+            "Issues": f"{repository}/issues",
+            "Changelog": f"{repository}/blob/main/CHANGELOG.md",
+        }
 
 
 class LibraryHook(BuildHookInterface):  # type: ignore[type-arg]
@@ -55,6 +72,15 @@ class LibraryHook(BuildHookInterface):  # type: ignore[type-arg]
         build_data["force_include"][str(folder)] = "rust"
         for name in LICENCES:
             build_data["force_include"][str(build_library.ROOT / name)] = name
+
+
+def stated(field: str) -> str:
+    """What Cargo.toml at the top says."""
+    text = (build_library.ROOT / "Cargo.toml").read_text(encoding="utf-8")
+    found = re.search(rf'^{field} = "(.*)"$', text, re.MULTILINE)
+    if found is None:
+        raise SystemExit(f"Cargo.toml has no {field}")
+    return found[1]
 
 
 def this_platform() -> str:

@@ -31,5 +31,6 @@ node -e '
     const { name, devDependencies, ...rest } = JSON.parse(readFileSync("package.json", "utf8"));
     const [path, version, address] = process.argv.slice(1);
     const repository = { type: "git", url: `git+${address}.git` };
-    writeFileSync(path, JSON.stringify({ name, version, ...rest, repository }, null, 4) + "\n");
+    const links = { homepage: address, bugs: `${address}/issues` };
+    writeFileSync(path, JSON.stringify({ name, version, ...rest, ...links, repository }, null, 4) + "\n");
 ' "$folder/package.json" "$(stated version)" "$(stated repository)"
