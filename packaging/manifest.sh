@@ -18,6 +18,7 @@ if [ "${1-}" != --list ]; then
     done
     # Of no target.
     [ $# -gt 0 ] || "$root/packaging/crates.sh" >&2
+    "$root/packaging/source.sh" >&2
 fi
 cd "$dist"
 {

@@ -46,8 +46,8 @@ install_tools() {
     command -v x86_64-w64-mingw32-gcc >/dev/null || missing+=(gcc-mingw-w64-x86-64)
     if [ ${#missing[@]} -gt 0 ]; then
         [ "$(id -u)" -eq 0 ] || as_root=sudo
-        $as_root apt-get update -qq
-        $as_root apt-get install -y -qq --no-install-recommends "${missing[@]}"
+        quietly $as_root apt-get update -qq
+        quietly $as_root apt-get install -y -qq --no-install-recommends "${missing[@]}"
     fi
     # shellcheck disable=SC2086
     environment "$work/pypi-tools" $PYPI_TOOLS
