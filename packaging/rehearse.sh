@@ -12,7 +12,7 @@ here=$root/packaging/rehearsal
 ADDRESS=https://github.example/fairmesh/fairmesh
 PYPI_TOOLS="pypiserver==2.4.2 twine==6.2.0 check-wheel-contents==0.6.3"
 # The newest that runs on Debian's node.
-NPM_TOOLS="verdaccio@6.1.6 publint@0.3.25 @arethetypeswrong/cli@0.18.5"
+NPM_TOOLS="verdaccio@6.2.0 publint@0.3.25 @arethetypeswrong/cli@0.18.5"
 GITHUB=$work/github
 clone=$work/clone
 tag=v$version
@@ -55,7 +55,7 @@ install_tools() {
         mkdir -p "$work/npm-tools"
         echo '{ "private": true }' >"$work/npm-tools/package.json"
         # shellcheck disable=SC2086
-        npm --prefix "$work/npm-tools" install --silent --no-audit --no-fund $NPM_TOOLS
+        quietly npm --prefix "$work/npm-tools" install --no-audit --no-fund $NPM_TOOLS
         echo "$NPM_TOOLS" >"$work/npm-tools/installed"
     fi
 }
