@@ -53,7 +53,8 @@ install_tools() {
     environment "$work/pypi-tools" $PYPI_TOOLS
     if [ "$(cat "$work/npm-tools/installed" 2>/dev/null)" != "$NPM_TOOLS" ]; then
         mkdir -p "$work/npm-tools"
-        echo '{ "private": true }' >"$work/npm-tools/package.json"
+        # verdaccio asks for it by a name that not every registry has.
+        echo '{ "private": true, "overrides": { "node-fetch": "2.7.0" } }' >"$work/npm-tools/package.json"
         # shellcheck disable=SC2086
         quietly npm --prefix "$work/npm-tools" install --no-audit --no-fund $NPM_TOOLS
         echo "$NPM_TOOLS" >"$work/npm-tools/installed"
