@@ -10,8 +10,8 @@ refuse() {
     exit 1
 }
 
-# The text of the newest part of the changelog, without its heading.
-unreleased() { sed -n '/^## \[Unreleased\]$/,/^## \[[0-9]/p' CHANGELOG.md | grep -v '^## '; }
+# has PATTERN: whether a line of the newest part of the changelog is like this. It is read to its end: who stops before ends what writes it.
+has() { sed -n '/^## \[Unreleased\]$/,/^## \[[0-9]/p' CHANGELOG.md | grep -v '^## ' | grep "$1" >/dev/null; }
 
 # is_after A B: in the order of versions.
 is_after() { [ "$1" != "$2" ] && [ "$(printf '%s\n' "$1" "$2" | sort -V | tail -1)" = "$1" ]; }
@@ -27,8 +27,8 @@ check_request() {
 
 check_changelog() {
     grep -qx '## \[Unreleased\]' CHANGELOG.md || refuse "CHANGELOG.md has no part [Unreleased]"
-    unreleased | grep -q '^- ' || refuse "[Unreleased] of CHANGELOG.md is empty"
-    unreleased | grep -q '^ABI: .' || refuse "[Unreleased] of CHANGELOG.md has no line \"ABI: ...\""
+    has '^- ' || refuse "[Unreleased] of CHANGELOG.md is empty"
+    has '^ABI: .' || refuse "[Unreleased] of CHANGELOG.md has no line \"ABI: ...\""
 }
 
 # What registries show for ever.

@@ -112,6 +112,17 @@ impl Repository {
     }
 }
 
+/// What looks for a line stops reading, and what writes must not mind.
+#[test]
+fn a_long_changelog_is_read() {
+    let repository = Repository::new("release_long");
+    let long = format!("- Something.\n{}", "- Something else.\n".repeat(20_000));
+    repository.replace("CHANGELOG.md", "- Something.\n", &long);
+    repository.commit();
+    let (code, said) = repository.release(&[VERSION]);
+    assert_eq!(code, 0, "{said}");
+}
+
 #[test]
 fn a_release_is_one_commit_and_a_tag() {
     let repository = Repository::new("release_good");
