@@ -109,6 +109,7 @@ licences() {
     mkdir -p "$2"
     cp LICENSE-MIT LICENSE-APACHE "$2"
     python3 packaging/third_party.py "$1" "$triple" >"$2/THIRD-PARTY.txt"
+    python3 packaging/sbom.py "$1" "$triple" >"$dist/${1/-capi/}-$version-$target.cdx.json"
 }
 
 library() {

@@ -10,7 +10,7 @@ work=${CARGO_TARGET_DIR:-$root/target}/rehearsal
 here=$root/packaging/rehearsal
 # The address that a person would write into Cargo.toml.
 ADDRESS=https://github.example/fairmesh/fairmesh
-PYPI_TOOLS="pypiserver==2.4.2 twine==6.2.0 check-wheel-contents==0.6.3"
+PYPI_TOOLS="pypiserver==2.4.2 twine==6.2.0 check-wheel-contents==0.6.3 cyclonedx-python-lib[json-validation]==11.12.0"
 # The newest that runs on Debian's node.
 NPM_TOOLS="verdaccio@6.2.0 publint@0.3.25 @arethetypeswrong/cli@0.18.5"
 GITHUB=$work/github
@@ -92,6 +92,14 @@ look() {
     quietly "$work/pypi-tools/bin/check-wheel-contents" "$found"/*.whl
     quietly "$bin/publint" --strict "$found/fairmesh-$version.tgz"
     quietly "$bin/attw" --profile esm-only --exclude-entrypoints fairmesh.wasm -- "$found/fairmesh-$version.tgz"
+    # shellcheck disable=SC2016
+    quietly "$work/pypi-tools/bin/python" -c 'import sys
+from cyclonedx.schema import SchemaVersion
+from cyclonedx.validation.json import JsonStrictValidator
+for name in sys.argv[1:]:
+    with open(name) as file:
+        error = JsonStrictValidator(SchemaVersion.V1_6).validate_str(file.read())
+    assert error is None, f"{name}: {error}"' "$found"/*.cdx.json
     quietly lintian --allow-root --fail-on error,warning "$found/fairmesh_${version}_amd64.deb" "$found/fairmesh_${version}_arm64.deb"
     if grep -rlaF "$work" "$found"; then fail "a path of this machine is in it"; fi
 }
