@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Tries the ports of ports.sh with the archives of target/packaging/dist, on linux-x86_64: conda's by its program, which comes from PyPI; of
-# Homebrew's only the syntax, and the hashes.
+# Tries the ports of ports.sh with the archives of target/packaging/dist, on linux-x86_64: conda's by its program, which comes from PyPI, with this machine's
+# compilers in place of conda-forge's; of Homebrew's only the syntax, and the hashes.
 set -euo pipefail
 . "$(dirname "$0")/tools.sh"
 PROGRAMS="py-rattler-build==0.73.0"
+LICENCES="cargo-bundle-licenses@5.0.0"
 home=$out/port-tools
 work=$out/check/ports
 need cmake cmake
@@ -27,9 +28,12 @@ client() {
     "$work/client-${1%/*}/smooth_dent" | tail -1 | grep '^converged' || fail "the client of $1 has failed"
 }
 
-# Without a channel: nothing else is needed to build it.
+# Whether it compiles is asked, not how fast it is.
 conda_package() {
-    "$home/bin/python" "$root/packaging/build_conda.py" "$ports/conda/recipe.yaml" "$work/conda" >"$work/conda.log" 2>&1 || fail "$(cat "$work/conda.log")"
+    [ -x "$home/cargo/bin/cargo-bundle-licenses" ] ||
+        cargo install --locked --quiet --debug --root "$home/cargo" "$LICENCES" >"$work/conda.log" 2>&1 || fail "$(tail "$work/conda.log")"
+    PATH=$home/cargo/bin:$PATH CARGO_PROFILE_RELEASE_OPT_LEVEL=0 CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 \
+        "$home/bin/python" "$root/packaging/build_conda.py" "$ports/conda/recipe.yaml" "$work/conda" >"$work/conda.log" 2>&1 || fail "$(cat "$work/conda.log")"
     client conda/unpacked
     tail -1 "$work/conda.log"
 }
