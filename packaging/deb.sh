@@ -23,6 +23,9 @@ install -D "$from/fairmesh" "$tree/usr/bin/fairmesh"
 install -D -m 644 "$from/completions/fairmesh.bash" "$share/bash-completion/completions/fairmesh"
 install -D -m 644 "$from/completions/_fairmesh" "$share/zsh/vendor-completions/_fairmesh"
 install -D -m 644 "$from/completions/fairmesh.fish" "$share/fish/vendor_completions.d/fairmesh.fish"
+# Nobody reads mail there: what is to be said is said on the page.
+IFS=/ read -r _ _ host owner _ <<<"$repository"
+maintainer="fairmesh developers <$owner@users.noreply.$host>"
 mkdir -p "$share/man/man1" "$share/doc/fairmesh" "$tree/DEBIAN"
 for page in "$from"/man/man1/*; do gzip -9nc "$page" >"$share/man/man1/${page##*/}.gz"; done
 {
@@ -31,12 +34,16 @@ for page in "$from"/man/man1/*; do gzip -9nc "$page" >"$share/man/man1/${page##*
     sed 's/^$/./; s/^/ /' LICENSE-MIT
     printf ' .\n Apache-2.0: /usr/share/common-licenses/Apache-2.0\n .\n The licences of the crates in the program: THIRD-PARTY.txt.gz.\n'
 } >"$share/doc/fairmesh/copyright"
+{
+    printf 'fairmesh (%s) unstable; urgency=medium\n\n  * What is new: %s/blob/v%s/CHANGELOG.md\n\n -- %s  ' "$version" "$repository" "$version" "$maintainer"
+    LC_ALL=C date -u -R -d "@$SOURCE_DATE_EPOCH"
+} | gzip -9n >"$share/doc/fairmesh/changelog.gz"
 gzip -9nc "$from/THIRD-PARTY.txt" >"$share/doc/fairmesh/THIRD-PARTY.txt.gz"
 cat >"$tree/DEBIAN/control" <<CONTROL
 Package: fairmesh
 Version: $version
 Architecture: $architecture
-Maintainer: fairmesh developers <developers@fairmesh.invalid>
+Maintainer: $maintainer
 Installed-Size: $(du -k --apparent-size -s "$tree/usr" | cut -f1)
 Depends: libc6 (>= $GLIBC)
 Section: graphics

@@ -9,7 +9,7 @@ set -euo pipefail
 work=${CARGO_TARGET_DIR:-$root/target}/rehearsal
 here=$root/packaging/rehearsal
 # The address that a person would write into Cargo.toml.
-ADDRESS=https://github.example/fairmesh/fairmesh
+ADDRESS=https://github.com/fairmesh-rehearsal/fairmesh
 PYPI_TOOLS="pypiserver==2.4.2 twine==6.2.0 check-wheel-contents==0.6.3 cyclonedx-python-lib[json-validation]==11.12.0"
 # The newest that runs on Debian's node.
 NPM_TOOLS="verdaccio@6.2.0 publint@0.3.25 @arethetypeswrong/cli@0.18.5"
