@@ -52,6 +52,8 @@ install: all
 		> '$(DESTDIR)$(LIBDIR)/cmake/fairmesh/fairmesh-config-version.cmake'
 	install -d '$(DESTDIR)$(PREFIX)/share/fairmesh/valgrind'
 	install -m 644 packaging/fairmesh.supp '$(DESTDIR)$(PREFIX)/share/fairmesh/valgrind'
+	@printf 'libfairmesh.so.%s needs glibc %s or newer\n' '$(VERSION)' \
+		"$$(objdump -T '$(DESTDIR)$(LIBDIR)/libfairmesh.so.$(VERSION)' | grep -o 'GLIBC_[0-9.]*' | sort -uV | tail -1 | cut -d_ -f2)"
 
 uninstall:
 	rm -rf '$(DESTDIR)$(PREFIX)/share/fairmesh'

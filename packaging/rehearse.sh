@@ -307,12 +307,19 @@ install() {
     done
 }
 
-mkdir -p "$work"
-install_tools
-for step in "${@:-release build look publish repeat install}"; do
-    for each in $step; do
-        (case $each in release | build | look | publish | repeat | install) ;; *) fail "no such step: $each" ;; esac)
-        "$each"
-        say "$each"
+main() {
+    mkdir -p "$work"
+    install_tools
+    local step
+    for step in "$@"; do
+        case $step in
+        release | build | look | publish | repeat | install) "$step" ;;
+        *) fail "no such step: $step" ;;
+        esac
+        say "$step"
     done
-done
+}
+
+if [ $# -eq 0 ]; then set -- release build look publish repeat install; fi
+main "$@"
+exit
