@@ -298,13 +298,16 @@ install_formula() {
     echo "Homebrew: the formula is in its tap; Homebrew itself is not run"
 }
 
-install() {
+install_all() {
     serve
-    local part
-    for part in python npm deb library crate blender_zip meshlab_plugin formula; do
-        "install_$part"
-        say "installed: $part"
-    done
+    install_python
+    install_npm
+    install_deb
+    install_library
+    install_crate
+    install_blender_zip
+    install_meshlab_plugin
+    install_formula
 }
 
 main() {
@@ -313,7 +316,12 @@ main() {
     local step
     for step in "$@"; do
         case $step in
-        release | build | look | publish | repeat | install) "$step" ;;
+        release) release ;;
+        build) build ;;
+        look) look ;;
+        publish) publish ;;
+        repeat) repeat ;;
+        install) install_all ;;
         *) fail "no such step: $step" ;;
         esac
         say "$step"
