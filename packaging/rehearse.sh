@@ -4,6 +4,8 @@
 # published is installed from the stand-ins in fresh environments, and each runs one fair and one fill.
 #   packaging/rehearse.sh [STEP...]      steps: release build look publish repeat install
 # Debian 12 with Rust; installs what it needs, and leaves everything in target/rehearsal.
+# Functions are called through quietly and fails.
+# shellcheck disable=SC2329
 set -euo pipefail
 . "$(dirname "$0")/tools.sh"
 work=${CARGO_TARGET_DIR:-$root/target}/rehearsal
