@@ -101,21 +101,21 @@ struct Opened {
 /** The loops that became of others, by their vertices and those of the triangles that were trimmed away there. */
 std::vector<std::uint32_t> successors(const fairmesh::result &loops, const std::vector<std::uint32_t> &close, const MeshView &view,
                                       const std::vector<std::uint32_t> &kept, const fairmesh::result &trimmed) {
-    Mask near(view.mesh().positions.count, 0);
+    Mask is_at_loop(view.mesh().positions.count, 0);
     for (std::uint32_t i : close)
-        for (std::uint32_t v : loops.list(FAIRMESH_LIST_LOOP_VERTICES, i)) near[v] = 1;
+        for (std::uint32_t v : loops.list(FAIRMESH_LIST_LOOP_VERTICES, i)) is_at_loop[v] = 1;
     std::size_t next = 0;
     for (std::uint32_t t = 0; t < view.triangles().size(); ++t) {
         if (next < kept.size() && kept[next] == t) {
             ++next;
             continue;
         }
-        for (std::uint32_t v : view.triangles()[t]) near[v] = 1;
+        for (std::uint32_t v : view.triangles()[t]) is_at_loop[v] = 1;
     }
     std::vector<std::uint32_t> found;
     for (std::uint32_t i = 0; i < trimmed.info().loop_count; ++i) {
         const auto vertices = trimmed.list(FAIRMESH_LIST_LOOP_VERTICES, i);
-        const bool is_near = std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return near[v] != 0; });
+        const bool is_near = std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return is_at_loop[v] != 0; });
         if (is_near && trimmed.loop(i).kind != FAIRMESH_LOOP_KIND_NON_MANIFOLD) found.push_back(i);
     }
     return found;

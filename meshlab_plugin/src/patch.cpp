@@ -44,9 +44,9 @@ vcg::Color4b mean_color(const CMeshO &mesh, const Patch &patch, std::size_t i) {
 }
 
 /** Texture coordinates of a new vertex; those of a parent on a seam belong to one side of it. */
-template <class TexCoord, class Get> TexCoord mean_tex_coord(const Patch &patch, std::size_t i, const TexCoord &near, Get get) {
-    using Number = std::decay_t<decltype(near.u())>;
-    TexCoord made = near;
+template <class TexCoord, class Get> TexCoord mean_tex_coord(const Patch &patch, std::size_t i, const TexCoord &like, Get get) {
+    using Number = std::decay_t<decltype(like.u())>;
+    TexCoord made = like;
     made.u() = static_cast<Number>(mean(patch, i, 0.0, [&](std::uint32_t v) { return double(get(v).u()); }));
     made.v() = static_cast<Number>(mean(patch, i, 0.0, [&](std::uint32_t v) { return double(get(v).v()); }));
     return made;
@@ -54,14 +54,14 @@ template <class TexCoord, class Get> TexCoord mean_tex_coord(const Patch &patch,
 
 void set_vertex(CMeshO &mesh, const Patch &patch, std::size_t first, std::size_t i) {
     CVertexO &vertex = mesh.vert[first + i];
-    const CVertexO &near = mesh.vert[nearest(patch, i)];
-    vertex.ImportData(near);
+    const CVertexO &like = mesh.vert[nearest(patch, i)];
+    vertex.ImportData(like);
     vertex.ClearS();
     vertex.ClearV();
     vertex.P() = patch.positions[i];
     vertex.C() = mean_color(mesh, patch, i);
     vertex.Q() = static_cast<CVertexO::QualityType>(mean(patch, i, 0.0, [&](std::uint32_t v) { return double(mesh.vert[v].cQ()); }));
-    if (mesh.vert.IsTexCoordEnabled()) vertex.T() = mean_tex_coord(patch, i, near.cT(), [&](std::uint32_t v) { return mesh.vert[v].cT(); });
+    if (mesh.vert.IsTexCoordEnabled()) vertex.T() = mean_tex_coord(patch, i, like.cT(), [&](std::uint32_t v) { return mesh.vert[v].cT(); });
 }
 
 /** Custom attributes of any type: that of the nearest parent. */
