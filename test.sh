@@ -78,8 +78,9 @@ demo() {
 packaging() {
     step manifest packaging/manifest.sh
     step check packaging/check.sh
+    step again packaging/check_again.sh
     local part
-    for part in python blender meshlab npm ports; do step "check_$part" "packaging/check_$part.sh"; done
+    for part in python blender meshlab meshlab_sources npm ports; do step "check_$part" "packaging/check_$part.sh"; done
 }
 
 # For other systems: their compilers, and what runs their programs.
@@ -97,6 +98,7 @@ install_packaging_tools() {
     command -v ruby >/dev/null || missing+=(ruby)
     command -v meshlabserver >/dev/null || missing+=(meshlab xvfb libgl1-mesa-dri)
     command -v xz >/dev/null || missing+=(xz-utils)
+    compgen -G '/usr/include/*/qt5/QtOpenGL' >/dev/null || missing+=(qtbase5-dev libqt5opengl5-dev libglew-dev libglu1-mesa-dev libeigen3-dev)
     [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
 }
 
@@ -160,6 +162,7 @@ full() {
 long() {
     install_packaging_tools
     packaging
+    step rehearsal packaging/rehearse.sh
     step firefox bindings/web/page/test.sh target/web/run/node_modules/fairmesh firefox
     step oldest packaging/oldest_rust.sh
     step gallery bindings/python/test.sh long
