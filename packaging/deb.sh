@@ -35,7 +35,7 @@ for page in "$from"/man/man1/*; do gzip -9nc "$page" >"$share/man/man1/${page##*
     printf ' .\n Apache-2.0: /usr/share/common-licenses/Apache-2.0\n .\n The licences of the crates in the program: THIRD-PARTY.txt.gz.\n'
 } >"$share/doc/fairmesh/copyright"
 {
-    printf 'fairmesh (%s) unstable; urgency=medium\n\n  * What is new: %s/blob/v%s/CHANGELOG.md\n\n -- %s  ' "$version" "$repository" "$version" "$maintainer"
+    printf 'fairmesh (%s) unstable; urgency=medium\n\n  * What is new:\n    %s/blob/v%s/CHANGELOG.md\n\n -- %s  ' "$version" "$repository" "$version" "$maintainer"
     LC_ALL=C date -u -R -d "@$SOURCE_DATE_EPOCH"
 } | gzip -9n >"$share/doc/fairmesh/changelog.gz"
 gzip -9nc "$from/THIRD-PARTY.txt" >"$share/doc/fairmesh/THIRD-PARTY.txt.gz"
