@@ -12,7 +12,7 @@ from .programs import Program
 from .standings import Standing, classes, standings
 
 #: Whose losses come first.
-OWN = "fairmesh g1"
+OWN = "fairmesh auto"
 #: A loss is a result that is farther from the truth than another program's by more than this factor: 127 of 321 are; by half of the excess 131, by double 113.
 LOSS = 1.1
 #: So many losses are told one by one; results.json has all.

@@ -35,11 +35,11 @@ def test_a_flaw_is_not_good_however_near(flaw):
 
 
 def test_losses_and_false_words_are_told():
-    rows = [run("fairmesh g1", 0.02, says_success=True), run("b", 0.01), run("fairmesh g1", 0.01, case="two", says_success=True), run("b", 0.02, case="two")]
+    rows = [run("fairmesh auto", 0.02, says_success=True), run("b", 0.01), run("fairmesh auto", 0.01, case="two", says_success=True), run("b", 0.02, case="two")]
     assert "In 1 of 2 cases" in losses(rows)
     assert "| one, 1 | 2 | 1 | b | 2 | success |" in losses(rows)
-    far = [run("fairmesh g1", 0.5, says_success=True), run("b", 0.02), run("fairmesh g1", 0.001, case="two", says_success=False), run("b", 0.02, case="two")]
-    assert "| fairmesh g1 | 1 | 1 | 1 | 1 |" in words(far)
+    far = [run("fairmesh auto", 0.5, says_success=True), run("b", 0.02), run("fairmesh auto", 0.001, case="two", says_success=False), run("b", 0.02, case="two")]
+    assert "| fairmesh auto | 1 | 1 | 1 | 1 |" in words(far)
 
 
 def test_failures_count_and_are_told_with_their_words():
@@ -51,5 +51,5 @@ def test_failures_count_and_are_told_with_their_words():
 
 def test_where_fairmesh_does_not_take_part_others_are_shown():
     rows = [run("a", 0.01), run("b", 0.02), run("a", 0.03, case="two"), run("b", 0.025, case="two")]
-    shown = {each.label: each.own for each in chosen(rows, "fairmesh g1")}
+    shown = {each.label: each.own for each in chosen(rows, "fairmesh auto")}
     assert (shown["best"].case, shown["best"].program, shown["worst"].case, shown["worst"].program) == ("one", "a", "two", "b")

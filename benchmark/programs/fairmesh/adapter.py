@@ -1,4 +1,4 @@
-"""The command line of fairmesh, FAIRMESH_PROGRAM: with tangent planes (g1), or with curvature (g2)."""
+"""The command line of fairmesh, FAIRMESH_PROGRAM: by default, with tangent planes (g1), or with curvature (g2)."""
 
 import json
 import os
@@ -17,7 +17,7 @@ PROGRAM = os.environ["FAIRMESH_PROGRAM"]
 
 
 def run(task: Task) -> Answer:
-    continues_curvature = "g2" in sys.argv[3:]
+    continuity = sys.argv[3:]
     result, list_file = task.scratch / "result.ply", task.scratch / "list.txt"
     if task.kind == "fill":
         words = ["fill", task.path, *hole(task)]
@@ -32,8 +32,8 @@ def run(task: Task) -> Answer:
         words = ["round", task.path, "--radius", task.told["radius"], *edges(task)]
     else:
         raise RefusedError("not one of its tasks")
-    if continues_curvature:
-        words += ["--continuity", "g2"]
+    if continuity:
+        words += ["--continuity", *continuity]
     ran = subprocess.run([PROGRAM, *map(str, words), "-o", str(result), "--threads", "1"], capture_output=True, text=True, check=False)
     if not result.exists():
         raise RefusedError(ran.stderr.strip()[-300:])
