@@ -35,10 +35,20 @@ def test_a_flaw_is_not_good_however_near(flaw):
 
 
 def test_losses_and_false_words_are_told():
-    rows = [run("fairmesh auto", 0.02, says_success=True), run("b", 0.01), run("fairmesh auto", 0.01, case="two", says_success=True), run("b", 0.02, case="two")]
+    rows = [
+        run("fairmesh auto", 0.02, says_success=True),
+        run("b", 0.01),
+        run("fairmesh auto", 0.01, case="two", says_success=True),
+        run("b", 0.02, case="two"),
+    ]
     assert "In 1 of 2 cases" in losses(rows)
     assert "| one, 1 | 2 | 1 | b | 2 | success |" in losses(rows)
-    far = [run("fairmesh auto", 0.5, says_success=True), run("b", 0.02), run("fairmesh auto", 0.001, case="two", says_success=False), run("b", 0.02, case="two")]
+    far = [
+        run("fairmesh auto", 0.5, says_success=True),
+        run("b", 0.02),
+        run("fairmesh auto", 0.001, case="two", says_success=False),
+        run("b", 0.02, case="two"),
+    ]
     assert "| fairmesh auto | 1 | 1 | 1 | 1 |" in words(far)
 
 
