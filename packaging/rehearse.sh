@@ -40,6 +40,7 @@ install_tools() {
     command -v npm >/dev/null || missing+=(nodejs npm)
     command -v lintian >/dev/null || missing+=(lintian)
     command -v cmake >/dev/null || missing+=(cmake)
+    command -v ruby >/dev/null || missing+=(ruby)
     command -v pkg-config >/dev/null || missing+=(pkg-config)
     command -v debootstrap >/dev/null || missing+=(debootstrap)
     command -v curl >/dev/null || missing+=(curl)
@@ -293,6 +294,12 @@ install_meshlab_plugin() {
     "$work/pymeshlab/bin/python" "$here/use_pymeshlab.py" "$work/meshlab/$folder/libfilter_fairmesh.so"
 }
 
+# Compiled from the sources as conda-forge does it.
+install_conda() {
+    (cd "$clone" && CARGO_TARGET_DIR=$work/target quietly packaging/check_ports.sh)
+    uses_program "$work/target/packaging/check/ports/conda/unpacked/bin/fairmesh"
+}
+
 install_formula() {
     rm -rf "$work/tap"
     git clone -q "$work/tap.git" "$work/tap"
@@ -309,6 +316,7 @@ install_all() {
     install_crate
     install_blender_zip
     install_meshlab_plugin
+    install_conda
     install_formula
 }
 
