@@ -144,9 +144,14 @@ CONFIG
     wait_for "$npm/-/ping"
 }
 
-# As the action that the workflow uses does it.
+# As the action does it that the workflow uses: what is there is skipped. twine itself has an option for that, but for PyPI alone.
 publish_pypi() {
-    "$work/pypi-tools/bin/twine" upload --skip-existing --disable-progress-bar --repository-url "$pypi" -u rehearsal -p rehearsal "$@"
+    local file there
+    there=$(curl -s "$pypi/simple/fairmesh/")
+    for file in "$@"; do
+        grep -q ">${file##*/}<" <<<"$there" ||
+            "$work/pypi-tools/bin/twine" upload --disable-progress-bar --repository-url "$pypi" -u rehearsal -p rehearsal "$file"
+    done
 }
 
 publish_crates() {
