@@ -243,7 +243,8 @@ uses_program() {
     local program=$1
     [ "$("$program" --version)" = "fairmesh $version" ] || fail "$program is of another version"
     "$program" fair "$root/docs/dented.ply" -o "$work/faired.ply" --selection free | grep '^converged' || fail "$program has faired nothing"
-    "$program" erase "$root/docs/dented.ply" -o "$work/filled.ply" --selection free | grep -m 1 'filled' || fail "$program has filled nothing"
+    "$program" generate sphere-hole --vertices 1000 --outside 1 -o "$work/open.ply" >"$work/log"
+    "$program" fill "$work/open.ply" -o "$work/filled.ply" | grep '^loop 0, .*: converged' || fail "$program has filled nothing"
 }
 
 # As `cargo install` takes it from the registry; how fast it is, is not asked.
