@@ -250,8 +250,9 @@ uses_program() {
 # As `cargo install` takes it from the registry; how fast it is, is not asked.
 install_crate() {
     rm -rf "$work/cargo"
-    (cd "$work" && CARGO_PROFILE_RELEASE_OPT_LEVEL=0 CARGO_TARGET_DIR=$work/cargo-target \
-        quietly cargo install --locked --root "$work/cargo" fairmesh-cli)
+    # It reads no configuration but the user's.
+    CARGO_PROFILE_RELEASE_OPT_LEVEL=0 CARGO_TARGET_DIR=$work/cargo-target \
+        quietly cargo install --config "$work/.cargo/config.toml" --locked --root "$work/cargo" fairmesh-cli
     uses_program "$work/cargo/bin/fairmesh"
 }
 
