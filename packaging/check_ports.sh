@@ -33,7 +33,7 @@ conda_package() {
     [ -x "$home/cargo/bin/cargo-bundle-licenses" ] ||
         cargo install --locked --quiet --debug --root "$home/cargo" "$LICENCES" >"$work/conda.log" 2>&1 || fail "$(tail "$work/conda.log")"
     PATH=$home/cargo/bin:$PATH CARGO_PROFILE_RELEASE_OPT_LEVEL=0 CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 \
-        "$home/bin/python" "$root/packaging/build_conda.py" "$ports/conda/recipe.yaml" "$work/conda" >"$work/conda.log" 2>&1 || fail "$(cat "$work/conda.log")"
+        env -u CARGO_TARGET_DIR "$home/bin/python" "$root/packaging/build_conda.py" "$ports/conda/recipe.yaml" "$work/conda" >"$work/conda.log" 2>&1 || fail "$(cat "$work/conda.log")"
     client conda/unpacked
     tail -1 "$work/conda.log"
 }
