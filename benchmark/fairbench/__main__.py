@@ -93,11 +93,17 @@ def with_others(rows: list[Row], versions: dict[str, str]) -> tuple[list[Row], d
 def write_page(args: argparse.Namespace, rows: list[Row], some: list[Program], versions: dict[str, str]) -> None:
     """The page, its plots, and its pictures, which are of the first set of cases."""
     PICTURES.mkdir(exist_ok=True)
-    for old in PICTURES.glob("*.png"):
-        old.unlink()
     first = {case.name: case for case in cases(1, args.data)}
     shown = chosen([each for each in rows if each.seed == 1], OWN)
-    drawn = {each: draw(first[each.own.case], each, args.work / "out" / f"{each.own.case}-1", PICTURES) for each in shown}
+    drawn = {}
+    for each in shown:
+        name = each.own.case
+        line = draw(first[name], each, args.work / "out" / f"{name}-1", PICTURES)
+        if line is not None:
+            drawn[each] = line
+    for old in PICTURES.glob("*.png"):
+        if not any(f"/{old.name})" in line for line in drawn.values()):
+            old.unlink()
     PAGE.write_text(page(rows, some, versions, drawn, plots(rows, PICTURES)))
 
 

@@ -48,27 +48,29 @@ def chosen(rows: list[Row], own: str) -> list[Chosen]:
     return found
 
 
-def draw(case: Case, which: Chosen, results: Path, folder: Path) -> str:
-    """Writes a picture, and gives the line of Markdown that shows it."""
+def draw(case: Case, which: Chosen, results: Path, folder: Path) -> str | None:
+    """Writes a picture, and gives the line of Markdown that shows it. Where a program was not run this time, its last picture stays; None: there is none."""
+    made = folder / f"{case.name}.png"
+    line = f"![{which.label} of {case.family}, {case.task}: {case.name}](benchmark/{made.name})"
+    programs = [one for one in (which.own, which.other) if one is not None and one.rms is not None]
+    meshes = [results / one.program.replace(" ", "-") / "mesh.ply" for one in programs]
+    if not all(mesh.exists() for mesh in meshes):
+        return line if made.exists() else None
     scratch = results / "pictures"
     scratch.mkdir(parents=True, exist_ok=True)
     centre = case.truth.corners()[case.wanted].reshape(-1, 3).mean(axis=0)
     normal = case.truth.normals()[case.wanted].sum(axis=0)
     shown = [("input", case.mesh), ("truth", case.truth)]
-    for one in (which.own, which.other):
-        if one is not None and one.rms is not None:
-            path = results / one.program.replace(" ", "-") / "mesh.ply"
-            shown.append((f"{one.program}: {100 * one.rms:.2g} %", read_ply(path)))
+    shown += [(f"{one.program}: {100 * one.rms:.2g} %", read_ply(mesh)) for one, mesh in zip(programs, meshes, strict=True)]
     words: list[str] = []
     for number, (caption, mesh) in enumerate(shown):
         path = scratch / f"{number}.ply"
         write_ply(path, _near(mesh, centre, AROUND * case.width()))
         words += [str(path), "--caption", caption]
     view = ",".join(f"{x:.3f}" for x in _seen_from(normal))
-    made = folder / f"{case.name}.png"
     command = [os.environ["FAIRMESH_PROGRAM"], "render", *words, "-o", str(made), "--shade", "flat,reflection", "--size", TILE, f"--view={view}"]
     subprocess.run(command, check=True, capture_output=True)
-    return f"![{which.label} of {case.family}, {case.task}: {case.name}](benchmark/{made.name})"
+    return line
 
 
 def _near(mesh: Mesh, centre: np.ndarray, radius: float) -> Mesh:
