@@ -96,6 +96,7 @@ install_packaging_tools() {
     command -v firefox-esr >/dev/null || missing+=(firefox-esr)
     command -v xvfb-run >/dev/null || missing+=(xvfb xauth libgl1-mesa-dri)
     command -v ruby >/dev/null || missing+=(ruby)
+    command -v patchelf >/dev/null || missing+=(patchelf)
     command -v meshlabserver >/dev/null || missing+=(meshlab xvfb libgl1-mesa-dri)
     command -v xz >/dev/null || missing+=(xz-utils)
     compgen -G '/usr/include/*/qt5/QtOpenGL' >/dev/null || missing+=(qtbase5-dev libqt5opengl5-dev libglew-dev libglu1-mesa-dev libeigen3-dev)

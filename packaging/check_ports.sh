@@ -9,6 +9,7 @@ home=$out/port-tools
 work=$out/check/ports
 need cmake cmake
 need ruby ruby
+need patchelf patchelf
 if [ "$(cat "$home/installed" 2>/dev/null)" != "$PROGRAMS" ]; then
     rm -rf "$home"
     python3 -m venv "$home"

@@ -41,6 +41,7 @@ install_tools() {
     command -v lintian >/dev/null || missing+=(lintian)
     command -v cmake >/dev/null || missing+=(cmake)
     command -v ruby >/dev/null || missing+=(ruby)
+    command -v patchelf >/dev/null || missing+=(patchelf)
     command -v pkg-config >/dev/null || missing+=(pkg-config)
     command -v debootstrap >/dev/null || missing+=(debootstrap)
     command -v curl >/dev/null || missing+=(curl)
