@@ -157,8 +157,9 @@ def mesh_cases(place: Place, path: Path) -> list[Result]:
     return results
 
 
-# Rings between two regions, so that no normal, fitted to eight, depends on the other region.
-APART = 10
+# Rings between two regions, so that neither a normal, fitted to eight, nor the error of a curvature, told up to sixteen
+# rings outside, depends on the other region.
+APART = 18
 
 
 def together(
