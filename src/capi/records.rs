@@ -97,7 +97,8 @@ pub struct fairmesh_report {
 
 /// What came of one component of the region: free vertices that are connected by edges, or lie around a fixed vertex inside
 /// the region whose normal is not given. Components are independent problems, each with the result that it has in a call
-/// where it alone is selected. Set `struct_size` before the call.
+/// where it alone is selected, but that sharp edges and curvatures are looked for outside of all. Set `struct_size` before
+/// the call.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fairmesh_component {

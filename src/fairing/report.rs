@@ -126,7 +126,8 @@ impl Attempt {
 /// What came of one component of the region. Components are independent problems: free vertices belong to the same one where
 /// they are neighbours, or lie around a fixed vertex inside the region whose normal is not given. Any other fixed vertex
 /// separates; what is beyond it is outside. A component's result is, to the last bit, that of a call where its free vertices
-/// alone are selected, but that sharp edges are looked for outside of all components: see [`Options::sharp`].
+/// alone are selected, but that sharp edges and curvatures are looked for outside of all components, the latter up to sixteen edges away: see
+/// [`Options::sharp`] and [`Options::continuity`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComponentReport {
     /// Its free vertex with the smallest index.

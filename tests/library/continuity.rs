@@ -118,7 +118,7 @@ fn noisy(shape: &Shape, size: f64, seed: u64) -> Vec<[f64; 3]> {
     let mut all = shape.clone();
     all.free.fill(true);
     let noise = all.noise(seed, size);
-    let mut positions = shape.flat();
+    let mut positions = shape.positions.clone();
     for (v, p) in positions.iter_mut().enumerate().filter(|(v, _)| !shape.free[*v]) {
         *p = noise[v];
     }
@@ -355,4 +355,39 @@ fn numbers_of_vertices_do_not_matter() {
         |v| theirs[new[v as usize] as usize],
         1e-8,
     );
+}
+
+/// Where a vertex lies that another component moves says nothing of the surface there will be: it has no part in any curvature, be that
+/// continued or left.
+#[test]
+fn what_another_component_moves_tells_no_curvature() {
+    let shape = ellipsoid_cap([1.0, 0.8, 0.6], 80.0, 6000, irregular(5), 8);
+    let around = |x: f64, radius: f64| -> Vec<bool> {
+        let centre = [x, 0.0, 0.6 * (1.0 - x * x).sqrt()];
+        let far = |p: &[f64; 3]| (0..3).map(|c| (p[c] - centre[c]).powi(2)).sum::<f64>();
+        shape.positions.iter().map(|p| far(p) < radius * radius).collect()
+    };
+    let here = around(0.35, 0.3);
+    // With some ten and some thirteen edges between them: a fitted normal does not see the other one.
+    for (x, least) in [(-0.29, 0.0), (-0.37, 0.5)] {
+        let there = around(x, 0.08);
+        let both: Vec<bool> = here.iter().zip(&there).map(|(a, b)| a | b).collect();
+        let result = |push: f64| {
+            let mut positions = shape.positions.clone();
+            for (p, _) in positions.iter_mut().zip(&there).filter(|(_, moves)| **moves) {
+                p[2] -= push;
+            }
+            let selection = Selection::Mask(&both);
+            let solution =
+                fair(&positions, &shape.triangles, selection, &asked(1.0)).expect("a sound problem");
+            let moved = solution.positions.iter().zip(&here).filter(|(_, moves)| **moves);
+            let positions: Vec<[f64; 3]> = moved.map(|(p, _)| *p).collect();
+            let of_loops = solution.report.components.iter().flat_map(|c| &c.continuity);
+            let longest = of_loops.max_by_key(|l| l.vertices).expect("a loop").clone();
+            (positions, longest)
+        };
+        let (clean, told) = result(0.0);
+        assert_at_least!(told.reached, least);
+        assert_eq!(result(0.05), (clean, told));
+    }
 }

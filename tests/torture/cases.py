@@ -93,7 +93,12 @@ def fair(
     numbers[triangles.ravel()] = file.triangles().ravel()
     free = np.unique(numbers[free])
     (folder / "free.txt").write_text("".join(f"{v}\n" for v in free))
-    options = [word for key in ("inner-fairness", "normals", "sharp") if key in how for word in (f"--{key}", how[key])]
+    options = [
+        word
+        for key in ("inner-fairness", "normals", "sharp", "continuity")
+        if key in how
+        for word in (f"--{key}", how[key])
+    ]
 
     def judge(report: dict, done: bool) -> tuple[str, Findings]:
         wrong = [("code", f"exit 0 is {done}, the outcome {report['outcome']}")] if done != success(report) else []
@@ -144,8 +149,10 @@ def mesh_cases(place: Place, path: Path) -> list[Result]:
             if k == 1:
                 how["sharp"] = "off"
                 results.append(fair(place, "fair", f"{path.stem}_smooth{k}_{weights}", x, triangles, region, how))
-    if len(grown) == 3 and are_apart(Surroundings(len(x), triangles), grown[0], grown[1], APART):
-        results += together(place, f"{path.stem}_together", x, triangles, grown[0], grown[1])
+    for rings, continuity in ((APART, "g1"), (FAR_APART, "auto")):
+        if len(grown) == 3 and are_apart(Surroundings(len(x), triangles), grown[0], grown[1], rings):
+            name = f"{path.stem}_together_{continuity}"
+            results += together(place, name, x, triangles, grown[0], grown[1], continuity)
     results.append(fill(place, "holes", f"{path.stem}_holes", x, triangles, FORMATS[form], None))
     for k, region in enumerate(grown[1:], 1):
         inside = np.isin(triangles, region).any(1)
@@ -157,18 +164,19 @@ def mesh_cases(place: Place, path: Path) -> list[Result]:
     return results
 
 
-# Rings between two regions, so that neither a normal, fitted to eight, nor the error of a curvature, told up to sixteen
-# rings outside, depends on the other region.
-APART = 18
+# Rings between two regions, so that no normal, fitted to eight, depends on the other region,
+APART = 10
+# and so that no curvature does, the error of whose estimate is told up to sixteen rings outside.
+FAR_APART = 18
 
 
 def together(
-    place: Place, name: str, x: np.ndarray, triangles: np.ndarray, a: np.ndarray, b: np.ndarray
+    place: Place, name: str, x: np.ndarray, triangles: np.ndarray, a: np.ndarray, b: np.ndarray, continuity: str
 ) -> list[Result]:
     """Two regions in one call have the positions that each has alone, to the last bit."""
     alone: dict[int, list] = {}
     both: dict[int, list] = {}
-    form = {"format": "ply-binary-double"}
+    form = {"format": "ply-binary-double", "continuity": continuity}
     runs = [
         fair(place, "together", f"{name}_{k}", x, triangles, r, form | {"seen": alone}) for k, r in enumerate((a, b))
     ]

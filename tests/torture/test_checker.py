@@ -355,7 +355,7 @@ def test_a_component_that_depends_on_another_one_is_found(tmp_path, move, kinds)
     # Writes what it reads, moved by so much if more vertices are free than of one region.
     program = f"""#!{sys.executable}
 import json, struct, sys
-data, free = open(sys.argv[2], "rb").read(), open(sys.argv[6]).read().split()
+data, free = open(sys.argv[2], "rb").read(), open(sys.argv[sys.argv.index("--free") + 1]).read().split()
 at = data.index(b"end_header") + 11
 if len(free) > {len(a)}:
     at += 24 * int(free[0])
@@ -368,5 +368,5 @@ sys.exit(3)
     angle = min(smallest_angles(x, triangles[np.isin(triangles, r).any(1)]).min() for r in (a, b))
     place = script(tmp_path, "")
     place.program.write_text(program.replace("{ANGLE}", repr(float(angle))))
-    assert [kind for run in together(place, "case", x, triangles, a, b) for kind, _ in run.findings] == kinds
+    assert [kind for run in together(place, "case", x, triangles, a, b, "auto") for kind, _ in run.findings] == kinds
     assert (place.folder / "case_both").exists() == bool(kinds)

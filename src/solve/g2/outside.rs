@@ -23,14 +23,16 @@ pub(in crate::solve) struct Outside<'d> {
 }
 
 impl<'d> Outside<'d> {
-    /// Of a region.
+    /// Of a region. Triangles of another one say nothing of what it will be, though their corners may stand still.
     pub(in crate::solve) fn new(domain: &'d Domain) -> Self {
         let positions: Vec<[f64; 3]> = domain.input.iter().map(|p| (*p).into()).collect();
+        let moves = |v: &u32| domain.region.moves_elsewhere.get(*v as usize) == Some(&true);
+        let standing = || outside_triangles(&domain.region).filter(move |t| !t.iter().any(moves));
         Self {
             domain,
             neighbours: OutsideNeighbours::new(&domain.region),
-            h: closed_ring_curvature(&positions, outside_triangles(&domain.region)),
-            normals: normals_by_areas(&domain.input, outside_triangles(&domain.region)),
+            h: closed_ring_curvature(&positions, standing()),
+            normals: normals_by_areas(&domain.input, standing()),
         }
     }
 
