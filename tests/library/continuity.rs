@@ -383,7 +383,7 @@ fn what_another_component_moves_tells_no_curvature() {
             let moved = solution.positions.iter().zip(&here).filter(|(_, moves)| **moves);
             let positions: Vec<[f64; 3]> = moved.map(|(p, _)| *p).collect();
             let of_loops = solution.report.components.iter().flat_map(|c| &c.continuity);
-            let longest = of_loops.max_by_key(|l| l.vertices).expect("a loop").clone();
+            let longest = *of_loops.max_by_key(|l| l.vertices).expect("a loop");
             (positions, longest)
         };
         let (clean, told) = result(0.0);
