@@ -15,12 +15,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-install_packages() {
-    local as_root=""
-    [ "$(id -u)" -eq 0 ] || as_root=sudo
-    $as_root apt-get update -qq
-    $as_root apt-get install -y -qq --no-install-recommends "$@"
-}
+. packaging/install.sh
 
 wanted="numpy==2.4.6 scipy==1.17.1 libigl==2.6.3"
 home=target/reproduction/python

@@ -24,12 +24,7 @@ step() {
     fi
 }
 
-install_packages() {
-    local as_root=""
-    [ "$(id -u)" -eq 0 ] || as_root=sudo
-    $as_root apt-get update -qq
-    $as_root apt-get install -y -qq --no-install-recommends "$@"
-}
+. packaging/install.sh
 
 install_rust() {
     command -v cc >/dev/null || install_packages build-essential

@@ -11,12 +11,7 @@ work=${CARGO_TARGET_DIR:-target}/benchmark
 mkdir -p "$work"
 work=$(cd "$work" && pwd)
 
-install_packages() {
-    local as_root=""
-    [ "$(id -u)" -eq 0 ] || as_root=sudo
-    $as_root apt-get update -qq -o DPkg::Lock::Timeout=300
-    $as_root apt-get install -y -qq --no-install-recommends -o DPkg::Lock::Timeout=300 "$@"
-}
+. packaging/install.sh
 
 # environment NAME FILE...: a virtual environment with the packages of these files, made anew when they change.
 environment() {

@@ -6,10 +6,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 seconds=${1:-60}
 if ! command -v clang >/dev/null || ! ls "$(clang -print-resource-dir)"/lib/linux/libclang_rt.fuzzer-*.a >/dev/null 2>&1; then
-    as_root=""
-    [ "$(id -u)" -eq 0 ] || as_root=sudo
-    $as_root apt-get update -qq -o DPkg::Lock::Timeout=300
-    $as_root apt-get install -y -qq --no-install-recommends -o DPkg::Lock::Timeout=300 clang libclang-rt-14-dev
+    . packaging/install.sh
+    install_packages clang libclang-rt-14-dev
 fi
 out=target/fuzz
 library=$(tests/address_library.sh)

@@ -8,9 +8,10 @@ set -euo pipefail
 cd "$(dirname "$0")"
 work=$PWD/../target/meshlab
 . ./hosts.sh
+. ../packaging/install.sh
 
 install_tools() {
-    local missing=() as_root=""
+    local missing=()
     command -v meshlabserver >/dev/null || missing+=(meshlab)
     command -v Xvfb >/dev/null || missing+=(xvfb)
     command -v xdotool >/dev/null || missing+=(xdotool)
@@ -28,9 +29,7 @@ install_tools() {
     [ -e /usr/include/eigen3/Eigen/Core ] || missing+=(libeigen3-dev)
     python3 -c 'import ensurepip' 2>/dev/null || missing+=(python3-venv)
     [ ${#missing[@]} -gt 0 ] || return 0
-    [ "$(id -u)" -eq 0 ] || as_root=sudo
-    $as_root apt-get update -qq -o DPkg::Lock::Timeout=300
-    DEBIAN_FRONTEND=noninteractive $as_root apt-get install -y -qq --no-install-recommends -o DPkg::Lock::Timeout=300 "${missing[@]}"
+    install_packages "${missing[@]}"
 }
 
 # The linters of the tests, in a pinned version.

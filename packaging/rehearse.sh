@@ -8,6 +8,7 @@
 # shellcheck disable=SC2329
 set -euo pipefail
 . "$(dirname "$0")/tools.sh"
+. "$root/packaging/install.sh"
 work=${CARGO_TARGET_DIR:-$root/target}/rehearsal
 here=$root/packaging/rehearsal
 # The address that a person would write into Cargo.toml.
@@ -36,7 +37,7 @@ fails() {
 quietly() { "$@" >"$work/log" 2>&1 || fail "$* has failed: $(tail -40 "$work/log")"; }
 
 install_tools() {
-    local missing=() as_root=""
+    local missing=()
     command -v npm >/dev/null || missing+=(nodejs npm)
     command -v lintian >/dev/null || missing+=(lintian)
     command -v cmake >/dev/null || missing+=(cmake)
@@ -51,11 +52,7 @@ install_tools() {
     command -v abidw >/dev/null || missing+=(abigail-tools)
     command -v aarch64-linux-gnu-gcc >/dev/null || missing+=(gcc-aarch64-linux-gnu libc6-dev-arm64-cross)
     command -v x86_64-w64-mingw32-gcc >/dev/null || missing+=(gcc-mingw-w64-x86-64)
-    if [ ${#missing[@]} -gt 0 ]; then
-        [ "$(id -u)" -eq 0 ] || as_root=sudo
-        quietly $as_root apt-get update -qq
-        quietly $as_root apt-get install -y -qq --no-install-recommends "${missing[@]}"
-    fi
+    [ ${#missing[@]} -eq 0 ] || quietly install_packages "${missing[@]}"
     # shellcheck disable=SC2086
     environment "$work/pypi-tools" $PYPI_TOOLS
     if [ "$(cat "$work/npm-tools/installed" 2>/dev/null)" != "$NPM_TOOLS" ]; then

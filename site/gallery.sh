@@ -9,10 +9,8 @@ scans=target/gallery/scans
 mkdir -p $scans
 archive=/usr/share/doc/libcgal-demo/data.tar.gz
 if [ ! -e $archive ]; then
-    as_root=""
-    [ "$(id -u)" -eq 0 ] || as_root=sudo
-    $as_root apt-get update -qq
-    $as_root apt-get install -y -qq --no-install-recommends libcgal-demo
+    . packaging/install.sh
+    install_packages libcgal-demo
 fi
 [ -e $scans/data/meshes ] || tar -xzf $archive -C $scans
 skull=$scans/tvb_data/surfaceData/outer_skull_4096

@@ -9,12 +9,7 @@ mkdir -p "${CARGO_TARGET_DIR:-$root/target}/python"
 target=$(cd "${CARGO_TARGET_DIR:-$root/target}" && pwd)
 unset PYTHONPATH FAIRMESH_LIBRARY
 
-install_packages() {
-    local as_root=""
-    [ "$(id -u)" -eq 0 ] || as_root=sudo
-    $as_root apt-get update -qq
-    $as_root apt-get install -y -qq --no-install-recommends -o DPkg::Lock::Timeout=300 "$@"
-}
+. "$root/packaging/install.sh"
 
 install_tools() {
     local missing=()

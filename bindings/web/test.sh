@@ -8,12 +8,7 @@ root=$(cd ../.. && pwd)
 mkdir -p "${CARGO_TARGET_DIR:-$root/target}/web"
 target=$(cd "${CARGO_TARGET_DIR:-$root/target}" && pwd)
 
-install_packages() {
-    local as_root=""
-    [ "$(id -u)" -eq 0 ] || as_root=sudo
-    $as_root apt-get update -qq
-    $as_root apt-get install -y -qq --no-install-recommends -o DPkg::Lock::Timeout=300 "$@"
-}
+. "$root/packaging/install.sh"
 
 missing=()
 command -v node >/dev/null || missing+=(nodejs)

@@ -6,14 +6,10 @@ cd "$(dirname "$0")/../.."
 home=${CARGO_TARGET_DIR:-target}/torture
 wanted="numpy==2.4.6 pytest==9.2.0 ruff==0.17.5"
 
-as_root=""
-[ "$(id -u)" -eq 0 ] || as_root=sudo
-if ! python3 -c 'import ensurepip, venv' 2>/dev/null; then
-    $as_root apt-get update -qq
-    $as_root apt-get install -y -qq --no-install-recommends -o DPkg::Lock::Timeout=300 python3-venv
-fi
-# Nothing of Debian's package is installed, but its name has to be known.
-[ -e "$home/meshes/fetched" ] || apt-cache show libcgal-demo >/dev/null 2>&1 || $as_root apt-get update -qq
+. packaging/install.sh
+python3 -c 'import ensurepip, venv' 2>/dev/null || install_packages python3-venv
+# Nothing of Debian's package is installed, but its name has to be known: without names the lists alone are fetched.
+[ -e "$home/meshes/fetched" ] || apt-cache show libcgal-demo >/dev/null 2>&1 || install_packages
 if [ "$(cat "$home/venv/wanted" 2>/dev/null)" != "$wanted" ]; then
     rm -rf "$home/venv"
     python3 -m venv "$home/venv"
