@@ -4,19 +4,18 @@
 //! it; once all of it is in, the same volume spreads over ever more area. From there on the region grows while the fair surface agrees better
 //! with that of the next larger region and with what surrounds it: until the bump's tails are in, and no further, as what is around is no
 //! fair surface either. This is done twice: around the seed, and around what stands out then, for bumps that are not round or not
-//! where the seed is.
+//! where the seed is. What is found grows on while surfaces agree better that continue curvature, too.
 
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-use fairmesh_linear::interrupt::is_stopped;
-
-use super::fair_region::{Faired, Heights};
 use super::geodesic;
+use super::growth::{Candidate, Growth, are_rising};
 use super::neighbours::Neighbours;
 use super::nested::Nested;
 use super::seed::Foot;
 use super::spread;
+use crate::fairing::Options;
 use crate::support::error::Error;
 
 // Figures of constants: what is left of bumps over what the best ball leaves, geometric means of 10 clean ones on exact surfaces, of 20 with
@@ -25,16 +24,6 @@ use crate::support::error::Error;
 
 /// The smallest region's radius, in edges around the seed. Half: 1.33, 1.81, 1.40; double: 1.21, 1.62, 1.55.
 const FIRST: f64 = 2.5;
-/// Growth of the radius from region to region. Half of it: 1.10, 2.96, 1.83; double: 1.50, 1.37, 1.85.
-const STEP: f64 = 1.12;
-/// Regions with fewer free vertices say nothing. Half: one more bump is not found; double: 1.24, 1.99, 1.40.
-const LEAST: usize = 8;
-/// No region has more than this part of the surface that the seed lies on. At a third: a bump on half of a
-/// sheet is not found; at two thirds: one on a scan takes sixty times as much.
-const MOST: f64 = 0.5;
-/// Around a region normals have at least this part in common: beneath one whose surroundings face all sides, as beneath the top of a
-/// cube, a dome is no surface that was there. Of 19 places on scans and 5 cubes, half: one more is found, half of a head; double: none changes.
-const FACING: f64 = 0.25;
 /// A region with less disagreement is looked for so many regions ahead. Half: 1.24, 1.99, 1.30, and one more is not found; double: 1.24, 1.91, 1.51.
 const PATIENCE: usize = 2;
 /// A bump whose fair surface is uncertain by this part of its height, or more, is none. At 0.35 six more are
@@ -92,19 +81,20 @@ pub(super) fn find(
     if corners.iter().all(|&v| from_core[v as usize] > radius) {
         return Err(none);
     }
-    let around = Nested::new(mesh, &from_core, radius);
-    let shaped = around.edge().and_then(|edge| {
+    let around_core = Nested::new(mesh, &from_core, radius);
+    let shaped = around_core.edge().and_then(|edge| {
         let mut tell = |part| tell(ROUND + (1.0 - ROUND) * part);
         let largest = SAME * (round.heights.area.iter().sum::<f64>() / PI).sqrt();
-        settled(&around, radius + edge..=largest, &mut tell)
+        settled(&around_core, radius + edge..=largest, &mut tell)
     });
-    let found = [Some(round), shaped]
-        .into_iter()
-        .flatten()
-        .filter(|of| of.is_settled);
+    let found = [(&around, Some(round)), (&around_core, shaped)];
     let found = found
-        .min_by(|a, b| a.uncertainty.total_cmp(&b.uncertainty))
+        .into_iter()
+        .filter_map(|(around, of)| Some((around, of.filter(|of| of.is_settled)?)));
+    let (around, found) = found
+        .min_by(|(_, a), (_, b)| a.uncertainty.total_cmp(&b.uncertainty))
         .ok_or(none)?;
+    let found = with_curvature(around, found, largest);
     let mut is_in = vec![false; mesh.triangles.len()];
     found.triangles.iter().for_each(|&t| is_in[t as usize] = true);
     let corners = found.triangles.iter().flat_map(|&t| mesh.triangles[t as usize]);
@@ -140,51 +130,22 @@ fn core(mesh: &Neighbours<'_>, found: &Candidate) -> (Vec<u32>, f64) {
     (sources, (area / PI).sqrt())
 }
 
-/// A region that may be the bump's.
-struct Candidate {
-    triangles: Vec<u32>,
-    heights: Heights,
-    /// Of its fair surface, but for noise,
-    disagreement: f64,
-    /// and with it.
-    uncertainty: f64,
-    /// Whether there was enough of a surface to see that larger ones are no better. Where not, it may still tell what stands out.
-    is_settled: bool,
-}
-
 /// The least region within these radii whose surface stays what it is.
 fn settled(around: &Nested<'_>, within: RangeInclusive<f64>, tell: &mut dyn FnMut(f64)) -> Option<Candidate> {
-    let most = (MOST * around.reached() as f64) as usize;
     let mut known: Vec<Candidate> = Vec::new();
-    let mut last: Option<Faired> = None;
-    let mut radius = *within.start();
-    // One region more than is asked for, which the largest is compared with.
-    while radius <= STEP * within.end() && !is_stopped() {
-        let region = around.within(radius);
-        let free = region.free();
-        if free > most || region.meets_an_end() || around.is_all_within(radius) {
-            break;
+    // Tangent planes alone: what is around is the bump's own flank at first.
+    let mut growth = Growth::new(around, within, 0.0);
+    // What the surface's end cuts off is not known: no region that meets it is more certain than the last one before.
+    let mut least: Option<f64> = None;
+    while let Some(mut next) = growth.next(tell) {
+        if next.meets_an_end {
+            if least.is_none() && are_rising(&known) {
+                break;
+            }
+            let least = least.get_or_insert_with(|| known.last().map_or(0.0, |last| last.uncertainty));
+            next.uncertainty = next.uncertainty.max(*least);
         }
-        radius *= STEP;
-        tell((free as f64 / most as f64).min(1.0));
-        if free < LEAST || region.facing() < FACING || last.as_ref().is_some_and(|last| last.free() == free) {
-            continue;
-        }
-        let Some(next) = region.faired() else { continue };
-        let Some(of) = last.replace(next) else { continue };
-        let apart = last.as_ref().map(|next| of.disagreement(next));
-        let [disagreement, uncertainty] = apart.unwrap_or([f64::MAX; 2]);
-        let heights = of.heights(|v| around.vertex(v));
-        if heights.are_rounding() {
-            continue;
-        }
-        known.push(Candidate {
-            triangles: around.named(&of.triangles),
-            heights,
-            disagreement,
-            uncertainty,
-            is_settled: true,
-        });
+        known.push(next);
         let whole = highest(&known).filter(|(_, falls)| *falls);
         if let Some((best, true)) = whole.map(|(k, _)| best(&known, k)) {
             let found = known.drain(..=best).next_back();
@@ -203,6 +164,31 @@ fn settled(around: &Nested<'_>, within: RangeInclusive<f64>, tell: &mut dyn FnMu
         ..known.swap_remove(best)
     };
     Some(best).filter(|best| best.uncertainty < UNCERTAIN)
+}
+
+/// From a region that has the bump on, the one whose surface changes least where it continues the curvature of what is around, if that is certain.
+/// Where the surface beneath is no fair one, tangent planes alone miss it by ever more, and the bump's tails are not in yet when that begins
+/// to show. On a flank curvature says nothing.
+fn with_curvature(around: &Nested<'_>, found: Candidate, largest: f64) -> Candidate {
+    let mut known: Vec<Candidate> = Vec::new();
+    let mut growth = Growth::new(around, found.radius..=largest, Options::CONTINUITY_AUTO);
+    while let Some(next) = growth.next(&mut |_| ()) {
+        known.push(next);
+        if best(&known, 0).1 {
+            break;
+        }
+    }
+    if known.is_empty() {
+        return found;
+    }
+    let mut better = known.swap_remove(best(&known, 0).0);
+    if found.meets_an_end {
+        better.uncertainty = better.uncertainty.max(found.uncertainty);
+    }
+    match better.uncertainty < UNCERTAIN {
+        true => better,
+        false => found,
+    }
 }
 
 /// The region from which on the height falls, and whether it surely does.

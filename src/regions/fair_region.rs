@@ -22,7 +22,7 @@ const SIGNIFICANT: f64 = 10.0;
 pub(super) struct FairRegion<'m> {
     mesh: Neighbours<'m>,
     triangles: Vec<u32>,
-    /// Whether each vertex is inside.
+    /// Whether each vertex is inside, and not where the surface ends.
     moves: Vec<bool>,
     meets_an_end: bool,
     /// How much the normals of the triangles around have in common: 1 where they are parallel, 0 where they point to all sides.
@@ -34,6 +34,8 @@ pub(super) struct Faired {
     pub triangles: Vec<u32>,
     /// Whether each vertex moves.
     moves: Vec<bool>,
+    /// Whether the surface ends inside.
+    pub meets_an_end: bool,
     positions: Vec<Vector3<f64>>,
     /// Normals and areas of the vertices,
     normals: Vec<Vector3<f64>>,
@@ -65,8 +67,9 @@ impl<'m> FairRegion<'m> {
         let mut meets_an_end = false;
         for &v in triangles.iter().flat_map(|&t| &mesh.triangles[t as usize]) {
             let is_inside = mesh.at(v).iter().all(|&t| is_in[t as usize]);
-            meets_an_end |= is_inside && mesh.is_at_end(v);
-            moves[v as usize] = is_inside;
+            let is_end = is_inside && mesh.is_at_end(v);
+            meets_an_end |= is_end;
+            moves[v as usize] = is_inside && !is_end;
             is_at_rim[v as usize] = !is_inside;
         }
         let is_beside = |t: &usize| !is_in[*t] && mesh.triangles[*t].iter().any(|&v| is_at_rim[v as usize]);
@@ -93,21 +96,16 @@ impl<'m> FairRegion<'m> {
         count(&self.moves)
     }
 
-    /// Whether the surface ends inside.
-    pub(super) fn meets_an_end(&self) -> bool {
-        self.meets_an_end
-    }
-
     /// How much the normals around have in common, from 0 to 1.
     pub(super) fn facing(&self) -> f64 {
         self.facing
     }
 
-    /// With its fair surface, through which sharp edges go on: tangent, as that of the surroundings' curvature is not certain on a flank; none where there is none.
-    pub(super) fn faired(self) -> Option<Faired> {
+    /// With its fair surface, through which sharp edges go on, of this continuity; none where there is none.
+    pub(super) fn faired(self, continuity: f64) -> Option<Faired> {
         let options = Options {
             tolerance: TOLERANCE,
-            continuity: 0.0,
+            continuity,
             intersections: Intersections::Skip,
             coincident: Coincident::Separate,
             ..Options::default()
@@ -133,6 +131,7 @@ impl<'m> FairRegion<'m> {
             above: (0..positions.len()).map(above).collect(),
             triangles: self.triangles,
             moves: self.moves,
+            meets_an_end: self.meets_an_end,
             area,
             positions,
             normals,

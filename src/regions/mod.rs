@@ -3,6 +3,7 @@
 mod bump;
 mod fair_region;
 mod geodesic;
+mod growth;
 mod neighbours;
 mod nested;
 mod robust;
