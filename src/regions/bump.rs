@@ -24,7 +24,7 @@ use crate::support::error::Error;
 
 /// The smallest region's radius, in edges around the seed. Half: 1.33, 1.81, 1.40; double: 1.21, 1.62, 1.55.
 const FIRST: f64 = 2.5;
-/// A region with less disagreement is looked for so many regions ahead. Half: 1.24, 1.99, 1.30, and one more is not found; double: 1.24, 1.91, 1.51.
+/// A region with less disagreement is looked for so many regions ahead, and the height falls over so many. Half: 1.24, 1.99, 1.30, and one more is not found; double: 1.24, 1.91, 1.51.
 const PATIENCE: usize = 2;
 /// A bump whose fair surface is uncertain by this part of its height, or more, is none. At 0.35 six more are
 /// not found; at 0.7 a sphere with noise of .02 edges has a dent.
@@ -191,24 +191,27 @@ fn with_curvature(around: &Nested<'_>, found: Candidate, largest: f64) -> Candid
     }
 }
 
-/// The region from which on the height falls, and whether it surely does.
+/// The region from which on the height falls, and whether it surely does: a single one may be lower by noise at its boundary.
 fn highest(known: &[Candidate]) -> Option<(usize, bool)> {
     let mut highest = 0;
     for (k, of) in known.iter().enumerate().skip(1) {
         if of.heights.rms > known[highest].heights.rms {
             highest = k;
-        } else if of.heights.are_below(&known[highest].heights) {
+        } else if k >= highest + PATIENCE && of.heights.are_below(&known[highest].heights) {
             return Some((highest, true));
         }
     }
     (!known.is_empty()).then_some((highest, false))
 }
 
-/// The region from there on with the least disagreement, and whether enough were looked at after it.
+/// The region from there on with the least disagreement, with the one before and the one after it, and whether enough were looked at after it.
 fn best(known: &[Candidate], from: usize) -> (usize, bool) {
+    let square = |k: usize| known[k].disagreement.powi(2);
+    // With one alone it may be small by chance.
+    let both = |k: usize| square(k.saturating_sub(1)) + square(k);
     let mut best = from;
     for k in from + 1..known.len() {
-        if known[k].disagreement < known[best].disagreement {
+        if both(k) < both(best) {
             best = k;
         } else if k > best + PATIENCE {
             return (best, true);

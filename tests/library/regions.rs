@@ -278,6 +278,18 @@ fn bumps_are_found_among_noise() {
     }
 }
 
+/// Noise along the boundary of a small region lifts its fair surface, so that one region alone may seem to have all of a bump.
+#[test]
+fn bumps_are_found_whole_whatever_the_noise_of_a_flank() {
+    let shape = sphere(8000, irregular(3));
+    for seed in 10..18 {
+        let x = spoiled(&shape, 0.22, 0.8, 0.005, seed);
+        let (left, reach) = left(&shape, &x, 0.22, 0.8);
+        println!("seed {seed}: {left:.3} left, reach {reach:.2}");
+        assert_below!(left, 0.05);
+    }
+}
+
 /// A sphere has none, with noise or without.
 #[test]
 fn where_no_bump_is_none_is_found() {
