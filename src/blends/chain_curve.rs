@@ -22,6 +22,8 @@ pub(super) const PER_WIDTH: f64 = 8.0;
 /// Half or double, of 25 solids cut from each other: nothing changes.
 pub(super) const FLATTEST: f64 = 0.1;
 /// Points to each side of one that it is fitted to: half a width.
+/// Of 12 solids cut from each other, half or double: 11 stay as sound; of the twelfth, where 22 of 24 creases
+/// are rounded, all are at half, and 21 at double.
 const WINDOW: usize = 4;
 /// Points to each side among which the nearest is looked for.
 /// Half or double, of 13 solids cut from each other: all stay sound, with as many vertices to 1 %.

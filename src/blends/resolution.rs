@@ -4,9 +4,12 @@ use super::facets::Facets;
 use crate::mesh::halfedge::{next, previous};
 
 /// Edges that bend by more than so many degrees want shorter ones around them, and by how much they are to bend then.
+/// Of 12 solids cut from each other, half of the first: as sound, with 0.5 % more vertices; double: 0.2 % fewer. Half or double
+/// of the second: 0.2 % more and 0.1 % fewer.
 const WIDE: f64 = 25.0;
 const AIM: f64 = 20.0;
 /// Edges get no shorter than this part of those that there are.
+/// Of 12 solids cut from each other, half or double: all are as sound, with as many vertices to 0.1 %.
 const LEAST: f64 = 0.4;
 
 /// Per vertex the largest length of edges that the surface allows there; infinity where it asks for nothing. None if it asks for nothing anywhere. The bands are

@@ -9,24 +9,36 @@ use crate::mesh::NONE;
 use crate::mesh::halfedge::previous;
 
 /// Edges of rails shorter than this part of the length wanted are taken away.
+/// Of 12 solids cut from each other, half: as sound, with 12 % more vertices; double: three have creases that stay sharp.
 const SHORT: f64 = 0.6;
 /// Faces that stay move by at most this, of the length wanted. Planes do not move.
+/// Of 12 solids cut from each other, half or double: all are as sound, with as many vertices to 0.1 %.
 const MOVES: f64 = 1e-2;
 /// What counts as not at all.
+/// Of 12 solids cut from each other, half or double: 11 are as sound, with as many vertices to 0.5 %; of the twelfth 24 and 21 of 24
+/// creases are rounded in place of 22.
 const STAYS: f64 = 1e-9;
 /// Times that all edges are looked at.
+/// Of 12 solids cut from each other, half: as sound, with 0.5 % more vertices; double: 10 do not change, none gets other creases.
 const ROUNDS: usize = 4;
 /// Edges turned for the sake of one short edge.
+/// Of 12 solids cut from each other, half or double: 11 are as sound, with as many vertices to 0.2 %; of the twelfth 23 and 21 of 24
+/// creases are rounded in place of 22.
 const TURNS: usize = 12;
 /// Triangles do not get thinner than this, height over length.
+/// Of 12 solids cut from each other, half or double: as sound or sounder, with 0.5 % fewer and 2 % more vertices.
 const SHARP: f64 = 0.02;
 /// Edges beside triangles thinner than this are turned.
+/// Of 12 solids cut from each other, half: as sound; double: one more is sound, with 0.8 % more vertices.
 const FLIPPED: f64 = 1e-3;
 /// What is thinner than this has no plane.
+/// Of 12 solids cut from each other, half or double: as sound, 10 do not change.
 const NEEDLE: f64 = 1e-5;
 /// Triangles of faces turn from them by less than 20 degrees: the cosine.
+/// Of 12 solids cut from each other, 10 degrees: as sound, 10 do not change; 40: none changes.
 const TILTED: f64 = 0.94;
 /// Those of bands turn by less than the angle whose cosine this is.
+/// Of 12 solids cut from each other, 30 and 120 degrees: none changes.
 const TURNED: f64 = 0.5;
 
 /// Takes such vertices away, none of those given but where they are on rails.

@@ -15,17 +15,23 @@ use super::surface::Surface;
 use super::through::Through;
 
 /// Where two bands meet in corners at both ends of a crease their rails take at most this part of it, and a band this part of what is before a boundary.
+/// Of 12 solids cut from each other, .5: all others are as sound, with 11 % more vertices, as bands are narrower; .95: one more is sound.
 const ALONG: f64 = 0.85;
 /// Points of one curve are apart if it is so many times as far along the curve as through space: about as on a half circle.
+/// Of 12 solids cut from each other, 1.2 and 2: none changes.
 const APART: f64 = 1.4;
 /// No band is narrowed below this part of the width asked: its triangles would be without number.
+/// Of 12 solids cut from each other, half: all are as sound; double: one has two creases that stay sharp.
 const LEAST: f64 = 0.1;
 /// What lies in a direction on a face: the cosine.
+/// Of 12 solids cut from each other, half: one loses two creases more; double: one more is sound.
 const AHEAD: f64 = 0.4;
 /// Widths change by at most so much per length.
+/// Of 12 solids cut from each other, half and double: one loses two creases, or one, more.
 pub(super) const SLOPE: f64 = 0.25;
 
 /// A band that fades out ends so many widths before its crease does, as bands of one corner have no normal in common.
+/// Of 12 solids cut from each other, half or double: as sound, 10 do not change.
 const BEFORE: f64 = 0.25;
 
 /// Per chain and point of its curve; negative where a band has ended.
