@@ -9,7 +9,7 @@ use crate::mesh::NONE;
 use crate::mesh::halfedge::previous;
 
 /// Edges of rails shorter than this part of the length wanted are taken away.
-/// Of 12 solids cut from each other, half: as sound, with 12 % more vertices; double: three have creases that stay sharp.
+/// Of 12 solids cut from each other, half: as sound, with 12 % more vertices; double: four have creases that stay sharp.
 const SHORT: f64 = 0.6;
 /// Faces that stay move by at most this, of the length wanted. Planes do not move.
 /// Of 12 solids cut from each other, half or double: all are as sound, with as many vertices to 0.1 %.
