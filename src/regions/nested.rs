@@ -5,7 +5,7 @@ use super::neighbours::Neighbours;
 use super::robust::median;
 
 /// What the normals at a region's boundary are fitted to lies within so many edges of it, and such a part of its radius where edges are longer there.
-/// Half: no figure changes, see bump.rs; double: more than there is.
+/// Half or double of either: no figure changes, see bump.rs.
 const EDGES: f64 = 12.0;
 const PART: f64 = 0.3;
 /// The edge is the median of so many triangles around the source: [`EDGES`] and the first radius are in it.
