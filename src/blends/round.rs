@@ -196,7 +196,7 @@ fn tangent_unless_asked(fairing: &Options) -> Options {
 }
 
 /// Times that what is not sound stays sharp, and the rest is done again.
-/// Of 12 solids cut from each other, one needs more than one. Half: one more crease of it is rounded; double: four fewer, after twice the time.
+/// Of 12 solids cut from each other, one has to give up at all. Half: one more crease of it is rounded; double: four fewer, after twice the time.
 const GIVEN_UP: usize = 4;
 
 /// Bands along the creases chosen, cut out.

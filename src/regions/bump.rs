@@ -84,17 +84,17 @@ pub(super) fn find(
         return Err(none);
     }
     let around_core = Nested::new(mesh, &from_core, radius);
+    let same = SAME * (round.heights.area.iter().sum::<f64>() / PI).sqrt();
     let shaped = around_core.edge().and_then(|edge| {
         let mut tell = |part| tell(ROUND + (1.0 - ROUND) * part);
-        let largest = SAME * (round.heights.area.iter().sum::<f64>() / PI).sqrt();
-        settled(&around_core, radius + edge..=largest, &mut tell)
+        settled(&around_core, radius + edge..=same, &mut tell)
     });
-    let found = [(&around, Some(round)), (&around_core, shaped)];
+    let found = [(&around, largest, Some(round)), (&around_core, same, shaped)];
     let found = found
         .into_iter()
-        .filter_map(|(around, of)| Some((around, of.filter(|of| of.is_settled)?)));
-    let (around, found) = found
-        .min_by(|(_, a), (_, b)| a.uncertainty.total_cmp(&b.uncertainty))
+        .filter_map(|(around, largest, of)| Some((around, largest, of.filter(|of| of.is_settled)?)));
+    let (around, largest, found) = found
+        .min_by(|(.., a), (.., b)| a.uncertainty.total_cmp(&b.uncertainty))
         .ok_or(none)?;
     let found = with_curvature(around, found, largest);
     let mut is_in = vec![false; mesh.triangles.len()];

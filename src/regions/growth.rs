@@ -38,7 +38,7 @@ pub(super) struct Candidate {
     pub meets_an_end: bool,
 }
 
-/// Whether their heights still grow as fast as they do: beyond the last one the bump goes on.
+/// Whether heights still grow as fast as the radii of regions: beyond the last one the bump goes on.
 pub(super) fn are_rising(known: &[Candidate]) -> bool {
     match known {
         [.., before, last] => last.heights.rms >= STEP * before.heights.rms,
@@ -69,7 +69,7 @@ impl<'n, 'm> Growth<'n, 'm> {
         }
     }
 
-    /// The next one, compared with the one after it; none where the surface ends. Tells which part of the largest there is it has.
+    /// The next one, compared with the one after it; none once that is too large. Tells which part of the largest there may be it has.
     pub(super) fn next(&mut self, tell: &mut dyn FnMut(f64)) -> Option<Candidate> {
         let around = self.around;
         let most = (MOST * around.reached() as f64) as usize;
