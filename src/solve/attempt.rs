@@ -24,6 +24,17 @@ pub(crate) struct Rung {
     pub kept: Kept,
 }
 
+impl Rung {
+    /// Whether each of its iterations is one at what is asked.
+    pub(crate) fn solves_what_is_asked(&self) -> bool {
+        let is_plain = matches!(
+            self.procedure,
+            Procedure::Iteration | Procedure::WeightRepair | Procedure::RepairHere
+        );
+        is_plain && self.kept != Kept::Start
+    }
+}
+
 /// When an attempt is tried.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Condition {

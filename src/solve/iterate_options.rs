@@ -7,6 +7,8 @@ pub(crate) enum IterationStatus {
     Converged,
     /// No round gains any more.
     Stalled,
+    /// At the step norm of [`Iteration::pause_at`](super::quasi_newton::Iteration::pause_at): the next call goes on as if nothing had been.
+    Paused,
     /// Near the solution, but on poor triangles: see [`IterateOptions::stop_on_folds`].
     Folded,
     /// Limit or cancel, see [`Control`](super::control::Control).

@@ -2,6 +2,7 @@
 //! iterations, the next call goes on as if nothing had been.
 
 mod coarse_search;
+mod curvature;
 mod starts;
 
 use fairmesh_linear::interrupt::unless_stopped;
@@ -14,7 +15,7 @@ use super::control::{ANALYSED, Control, ITERATED};
 use super::factor::Collapsed;
 use super::formulation::Formulation;
 use super::initial;
-use super::iterate_options::IterationStatus;
+use super::iterate_options::{IterateOptions, IterationStatus};
 use super::problem::Problem;
 use super::procedure::Underway;
 use super::quasi_newton::Iteration;
@@ -22,6 +23,7 @@ use super::result::{SolveResult, SolveStatus, Trial};
 use super::system::System;
 use crate::discrete::equations::State;
 use crate::quality::NEEDLE;
+use crate::solve::g2::boundary_curvature::LoopCondition;
 use crate::solve::g2::continuation::Continuation;
 use crate::solve::transition::Transition;
 use crate::support::stopwatch::Stopwatch;
@@ -76,8 +78,12 @@ pub(crate) struct Ladder {
     /// The formulation of the last attempt; none: that which is asked for.
     left: Option<Formulation>,
     start_seconds: f64,
-    /// To the curvature-continuous surface, once this one is found.
+    /// To the curvature-continuous surface, once this one is found,
     continuation: Option<Continuation>,
+    /// or where an iteration has paused, which goes on like this if that leads nowhere.
+    paused: Option<IterateOptions>,
+    /// What holds along the loops, where the iteration under way was looked at and there was nothing to continue, or no way.
+    looked_at: Option<Vec<LoopCondition>>,
 }
 
 impl Ladder {
@@ -101,7 +107,7 @@ impl Ladder {
 
     /// A solve of another problem close to this one, from where this one stands.
     pub(crate) fn renewed(mut self) -> Self {
-        let iterated = self.iteration.as_ref().map(|iteration| iteration.x().to_vec());
+        let iterated = self.x().map(<[_]>::to_vec);
         match iterated.or(self.at_hand.take()) {
             Some(x) => self.resumed(x),
             None => Self::default(),
@@ -184,17 +190,26 @@ impl Ladder {
         system: &mut System,
         control: &mut Control<'_>,
     ) -> Result<LadderState, Collapsed> {
-        if let Some(continuation) = &mut self.continuation {
-            let ended = continuation.run(system, control);
-            return Ok(ended.map_or(LadderState::Held, LadderState::Ended));
+        if self.continuation.is_some() {
+            if let Some(state) = self.run_continuation(system, control) {
+                return Ok(state);
+            }
+        } else {
+            system.end_continuity();
         }
-        system.end_continuity();
         let tangent = loop {
             let next = match (&mut self.iteration, &mut self.underway) {
                 (Some(iteration), Some(underway)) => {
                     let Some(status) = iteration.run(system, control) else {
                         return Ok(LadderState::Held);
                     };
+                    if status == IterationStatus::Paused {
+                        self.look_at_curvature(system, control);
+                        if self.continuation.is_some() {
+                            return self.run(system, control);
+                        }
+                        continue;
+                    }
                     let candidate = iteration.candidate(status, system);
                     underway.next(candidate, system, control)
                 }
@@ -208,8 +223,10 @@ impl Ladder {
             self.note(&next, system, control);
             self.keep_stalled(&next);
             match next {
-                Transition::Iteration(iteration) => {
+                Transition::Iteration(mut iteration) => {
                     self.left = Some(iteration.formulation().clone());
+                    self.looked_at = None;
+                    self.let_pause(&mut iteration, system, control);
                     self.iteration = Some(iteration);
                 }
                 Transition::Done(candidate) => {
@@ -234,26 +251,6 @@ impl Ladder {
             }
         };
         self.continue_curvature(tangent, system, control)
-    }
-
-    /// From the tangent-continuous surface to the one that continues the curvature, where that is asked for.
-    fn continue_curvature(
-        &mut self,
-        tangent: SolveResult,
-        system: &mut System,
-        control: &mut Control<'_>,
-    ) -> Result<LadderState, Collapsed> {
-        let formulation = Formulation {
-            along_normals: tangent.along_normals,
-            ..self.left(system)
-        };
-        match Continuation::new(tangent, formulation, system, control) {
-            Ok(continuation) => {
-                self.continuation = Some(continuation);
-                self.run(system, control)
-            }
-            Err(tangent) => Ok(LadderState::Ended(*tangent)),
-        }
     }
 
     /// Keeps in mind how an attempt has ended.
@@ -374,8 +371,7 @@ impl Ladder {
     /// Of two sound surfaces the one of less bending energy; the first one alone where it may be the only one.
     fn best_of(&mut self, found: Candidate, control: &Control<'_>) -> Option<Candidate> {
         let Some(first) = self.sound.take() else {
-            let is_new = LADDER[self.attempts - 1].start != Start::AtHand;
-            if is_new && found.is_converged() && found.may_have_rival {
+            if self.looks_for_rivals(&found) {
                 self.sound = Some(found);
                 self.until_sound = control.tally.iterations;
                 return None;
@@ -392,6 +388,12 @@ impl Ladder {
         }
         self.sound = Some(if is_better { found } else { first });
         None
+    }
+
+    /// Whether a surface may be one of several.
+    fn looks_for_rivals(&self, found: &Candidate) -> bool {
+        let is_new = LADDER[self.attempts - 1].start != Start::AtHand;
+        is_new && found.is_converged() && found.may_have_rival
     }
 
     /// The sound surface that no other one was found to be better than.

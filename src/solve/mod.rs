@@ -21,6 +21,7 @@ pub(crate) mod g2;
 pub(crate) mod graded_plate;
 pub(crate) mod initial;
 pub(crate) mod iterate_options;
+mod iteration_round;
 pub(crate) mod ladder;
 pub(crate) mod limited_step;
 pub(crate) mod live;

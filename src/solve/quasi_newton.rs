@@ -7,6 +7,7 @@ use super::candidate::Candidate;
 use super::control::Control;
 use super::formulation::Formulation;
 use super::iterate_options::{IterateOptions, IterationStatus};
+use super::iteration_round::Round;
 use super::limited_step::{LARGEST_CHANGE, advance, limited_part};
 use super::step::StepNorm;
 use super::system::{LARGE, System};
@@ -93,6 +94,8 @@ pub(crate) struct Iteration {
     options: IterateOptions,
     formulation: Formulation,
     tolerance: f64,
+    /// The step norm after which it pauses, once; 0: none.
+    pause: f64,
     /// The surface.
     x: Vec<Vector3<f64>>,
     /// The coefficients of curvature continuity, where that is asked for.
@@ -109,33 +112,6 @@ pub(crate) struct Iteration {
     /// Rounds begun.
     rounds: usize,
     round: Round,
-}
-
-/// What a round keeps in mind.
-#[derive(Debug, Clone)]
-struct Round {
-    /// Step norms of the round.
-    history: Vec<f64>,
-    /// The first step norm of the round.
-    first: f64,
-    stop_on_folds: bool,
-    /// An accelerated step was the last: from there one may go back.
-    was_accelerated: bool,
-    /// Iterations within the tolerance.
-    within: usize,
-}
-
-impl Round {
-    /// After one with this first step norm.
-    fn new(options: &IterateOptions, first: f64) -> Self {
-        Self {
-            history: Vec::new(),
-            first,
-            stop_on_folds: options.stop_on_folds,
-            was_accelerated: true,
-            within: 0,
-        }
-    }
 }
 
 impl Iteration {
@@ -160,6 +136,7 @@ impl Iteration {
             },
             x,
             modes,
+            pause: 0.0,
             due: if options.reuse_factor {
                 Due::Round
             } else {
@@ -193,7 +170,13 @@ impl Iteration {
             control.iteration(d, self.options.phase);
             match self.judge(d, &norm, system, control) {
                 None if self.went_too_far(d) => self.go_back(system),
-                None => self.accelerate(system),
+                None => {
+                    self.accelerate(system);
+                    if d <= self.pause {
+                        self.pause = 0.0;
+                        return Some(IterationStatus::Paused);
+                    }
+                }
                 Some(IterationStatus::Converged) => {
                     let left = self.take_last_step() / system.diagonal;
                     let is_even = left <= LARGEST_STEP * self.tolerance || self.round.within > EXTRA;
@@ -214,6 +197,11 @@ impl Iteration {
                 }
             }
         }
+    }
+
+    /// How it iterates.
+    pub(crate) fn options(&self) -> IterateOptions {
+        self.options
     }
 
     /// Which equations it solves.
@@ -256,6 +244,11 @@ impl Iteration {
     /// Forgets what acceleration has learned.
     pub(crate) fn forget(&mut self) {
         self.anderson.clear();
+    }
+
+    /// Pauses after the first step of this norm.
+    pub(crate) fn pause_at(&mut self, d: f64) {
+        self.pause = d;
     }
 
     /// The step norm to reach.

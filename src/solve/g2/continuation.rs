@@ -48,54 +48,69 @@ pub(crate) struct Continuation {
     best: Option<SolveResult>,
 }
 
+/// The conditions along the loops of the tangent-continuous surface `x`, which was evaluated last, where curvature is to be continued.
+pub(in crate::solve) fn conditions(x: &[Vector3<f64>], system: &System) -> Option<Vec<LoopCondition>> {
+    let asked = system.asked_continuity()?;
+    let surface = (x, &*system.state.h);
+    Some(loop_conditions(
+        &system.domain,
+        &system.boundary_normals,
+        surface,
+        &asked,
+    ))
+}
+
+/// Whether there is nothing to continue.
+pub(in crate::solve) fn is_nothing(loops: &[LoopCondition]) -> bool {
+    loops.iter().all(|l| l.trusted.part < NEGLIGIBLE)
+}
+
+/// What is told of loops along which the tangent-continuous surface `x`, which was evaluated last, stays as it is.
+pub(in crate::solve) fn as_they_are(
+    loops: &[LoopCondition],
+    x: &[Vector3<f64>],
+    system: &System,
+) -> Vec<LoopContinuity> {
+    let surface = (x, &*system.state.h);
+    let inside = |l: &LoopCondition| l.curvature_inside(system.free(), surface, &system.boundary_normals);
+    let told = |l: &LoopCondition| {
+        let inside = inside(l);
+        LoopContinuity {
+            jump_before: l.jump(&inside),
+            ..came_of(l, 0.0, &inside)
+        }
+    };
+    loops.iter().map(told).collect()
+}
+
+/// How a continuation ends.
+#[derive(Debug)]
+pub(in crate::solve) enum Ended {
+    /// With the surface that went furthest, or was stopped.
+    Continued(SolveResult),
+    /// No surface was as sound as the tangent-continuous one, which this is.
+    Nowhere(SolveResult),
+}
+
 impl Continuation {
-    /// From the tangent-continuous result, if curvature is to be continued and can be; else returns that as it is.
+    /// From the tangent-continuous surface, which is judged so and was evaluated last, with something to continue along these loops.
     pub(in crate::solve) fn new(
-        tangent: SolveResult,
+        (tangent, judged): (SolveResult, Candidate),
+        loops: Vec<LoopCondition>,
         formulation: Formulation,
         system: &mut System,
         control: &mut Control<'_>,
-    ) -> Result<Self, Box<SolveResult>> {
-        let is_harmonic = matches!(
-            tangent.status,
-            SolveStatus::Converged | SolveStatus::ConvergedToRounding | SolveStatus::AboveTolerance
-        );
-        let Some(asked) = system
-            .asked_continuity()
-            .filter(|_| is_harmonic && !control.exhausted())
-        else {
-            return Err(Box::new(tangent));
-        };
-        let loops = loop_conditions(
-            &system.domain,
-            &system.boundary_normals,
-            (&tangent.x, &system.state.h),
-            &asked,
-        );
-        if loops.iter().all(|l| l.trusted.part < NEGLIGIBLE) {
-            let continuity = loops.iter().map(|l| came_of(l, 0.0, &l.before)).collect();
-            return Err(Box::new(SolveResult {
-                continuity,
-                ..tangent
-            }));
-        }
-        let judged = Candidate::new(
-            system,
-            &formulation,
-            tangent.x.clone(),
-            IterationStatus::Converged,
-            tangent.step,
-        );
+    ) -> Self {
         let deviations = system.surface(&tangent.x).normal_deviations();
         let deviation = largest(deviations.iter());
         let allowed = (DEVIATION * deviation).max(deviation + DEVIATION_DEGREES);
         let asked = loops.iter().map(|l| {
             let along = l.vertices.iter().map(|&b| &deviations[b as usize]);
-            (asked.of_loop(&l.vertices).part(), largest(along))
+            (l.asked.part(), largest(along))
         });
         let ways = BlendSearch::new(asked, allowed);
         system.set_continuity(loops);
-        Ok(Self {
+        Self {
             judged,
             allowed,
             before: control.tally.iterations,
@@ -105,19 +120,15 @@ impl Continuation {
             tries: 1,
             best: None,
             tangent,
-        })
+        }
     }
 
     /// Part after part of the way. `None`: the run is held up.
-    pub(in crate::solve) fn run(
-        &mut self,
-        system: &mut System,
-        control: &mut Control<'_>,
-    ) -> Option<SolveResult> {
+    pub(in crate::solve) fn run(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<Ended> {
         loop {
             let status = self.iteration.run(system, control)?;
-            if let Some(result) = self.conclude(status, system, control) {
-                return Some(result);
+            if let Some(ended) = self.conclude(status, system, control) {
+                return Some(ended);
             }
             self.tries += 1;
             self.iteration = along(&self.ways, &self.tangent, &self.formulation, system, control);
@@ -140,7 +151,7 @@ impl Continuation {
         status: IterationStatus,
         system: &mut System,
         control: &mut Control<'_>,
-    ) -> Option<SolveResult> {
+    ) -> Option<Ended> {
         let candidate = self.iteration.candidate(status, system);
         self.told(control, &candidate, system.free());
         if candidate.is_stopped() && (self.best.is_none() || control.cancelled) {
@@ -149,7 +160,7 @@ impl Continuation {
             } else {
                 SolveStatus::IterationLimit
             };
-            return Some(self.result(candidate, status, system));
+            return Some(Ended::Continued(self.result(candidate, status, system)));
         }
         let grown = self.grown_jumps(&candidate, system);
         let is_left = if self.is_as_sound(&candidate) && !grown.is_empty() {
@@ -203,22 +214,18 @@ impl Continuation {
     }
 
     /// The surface that went furthest, or else the tangent-continuous one.
-    fn best_of_tries(&mut self, system: &mut System) -> SolveResult {
+    fn best_of_tries(&mut self, system: &mut System) -> Ended {
         let best = self.best.take();
         let x = best.as_ref().map_or(&self.tangent.x, |best| &best.x);
         system.set_modes(&[]);
         system.evaluate(x, &self.formulation);
-        let best = best.unwrap_or_else(|| {
-            let none = vec![0.0; system.continuity().map_or(0, |c| c.loops.len())];
-            SolveResult {
-                continuity: reached(system, &none, (&self.tangent.x, &system.state.h)),
-                ..self.tangent.clone()
-            }
-        });
-        SolveResult {
-            iterations: self.tangent.iterations,
-            trials: self.tangent.trials.clone(),
-            ..best
+        match best {
+            Some(best) => Ended::Continued(SolveResult {
+                iterations: self.tangent.iterations,
+                trials: self.tangent.trials.clone(),
+                ..best
+            }),
+            None => Ended::Nowhere(self.tangent.clone()),
         }
     }
 

@@ -28,9 +28,9 @@ impl System {
         self.continuity = Some(Box::new(Continuity::new(loops, &self.graph_symbolic, size)));
     }
 
-    /// Back to tangent continuity.
-    pub(in crate::solve) fn end_continuity(&mut self) {
-        self.continuity = None;
+    /// Back to tangent continuity. Returns what held along the loops.
+    pub(in crate::solve) fn end_continuity(&mut self) -> Option<Vec<LoopCondition>> {
+        self.continuity.take().map(|continuity| continuity.loops)
     }
 
     /// The further unknowns, where they are.
