@@ -94,6 +94,7 @@ install_packaging_tools() {
     command -v patchelf >/dev/null || missing+=(patchelf)
     command -v meshlabserver >/dev/null || missing+=(meshlab xvfb libgl1-mesa-dri)
     command -v xz >/dev/null || missing+=(xz-utils)
+    command -v zopfli >/dev/null || missing+=(zopfli)
     compgen -G '/usr/include/*/qt5/QtOpenGL' >/dev/null || missing+=(qtbase5-dev libqt5opengl5-dev libglew-dev libglu1-mesa-dev libeigen3-dev)
     [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
 }

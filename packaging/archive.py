@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Packs a folder into a .tar.gz or .zip whose bytes depend on the files alone: archive.py FOLDER ARCHIVE.
+"""Packs a folder into a .tar, .tar.gz or .zip whose bytes depend on the files alone: archive.py FOLDER ARCHIVE.
 
 Entries are sorted and have the time SOURCE_DATE_EPOCH, no owner, and one of two modes. Prints the archive's path.
 """
@@ -20,7 +20,7 @@ def is_program(path):
 
 
 def tar(folder, files, seconds):
-    """The bytes of a .tar.gz."""
+    """The bytes of a .tar."""
     plain = io.BytesIO()
     with tarfile.open(fileobj=plain, mode="w", format=tarfile.USTAR_FORMAT) as archive:
         for path in files:
@@ -33,10 +33,12 @@ def tar(folder, files, seconds):
             content = path.read_bytes()
             entry.size, entry.mode = len(content), 0o755 if is_program(path) else 0o644
             archive.addfile(entry, io.BytesIO(content))
-    packed = io.BytesIO()
-    with gzip.GzipFile(fileobj=packed, mode="wb", compresslevel=9, mtime=seconds, filename="") as archive:
-        archive.write(plain.getvalue())
-    return packed.getvalue()
+    return plain.getvalue()
+
+
+def tar_gz(folder, files, seconds):
+    """The bytes of a .tar.gz."""
+    return gzip.compress(tar(folder, files, seconds), compresslevel=9, mtime=seconds)
 
 
 def zipped(folder, files, seconds):
@@ -54,7 +56,7 @@ def zipped(folder, files, seconds):
 def main():
     folder, archive = Path(sys.argv[1]), Path(sys.argv[2])
     files = sorted(path for path in folder.rglob("*") if path.is_symlink() or path.is_file())
-    pack = zipped if archive.suffix == ".zip" else tar
+    pack = {".zip": zipped, ".tar": tar}.get(archive.suffix, tar_gz)
     archive.write_bytes(pack(folder, files, int(os.environ["SOURCE_DATE_EPOCH"])))
     print(archive)
 

@@ -116,13 +116,17 @@ plugin() {
     cp meshlab_plugin/scripts/*.mlx "$folder/scripts"
     installing
     read_me >"$folder/README.md"
-    python3 packaging/archive.py "$folder" "$dist/$name.tar.gz"
+    # 4 % smaller than by gzip.
+    python3 packaging/archive.py "$folder" "$work/$name.tar" >&2
+    zopfli --i5 -c "$work/$name.tar" >"$dist/$name.tar.gz"
+    echo "$dist/$name.tar.gz"
 }
 
 [ "$(id -u)" -eq 0 ] || fail "packaging/meshlab.sh changes into another Debian, which root alone may do"
 [ -e "$tree/lib/libfairmesh.a" ] || fail "$tree is not there: packaging/build.sh $target"
 need curl curl
 need xz xz-utils
+need zopfli zopfli
 need git git
 mkdir -p "$work"
 install_debian

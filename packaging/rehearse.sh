@@ -47,6 +47,7 @@ install_tools() {
     command -v debootstrap >/dev/null || missing+=(debootstrap)
     command -v curl >/dev/null || missing+=(curl ca-certificates)
     command -v xz >/dev/null || missing+=(xz-utils)
+    command -v zopfli >/dev/null || missing+=(zopfli)
     command -v openssl >/dev/null || missing+=(openssl)
     python3 -c 'import ensurepip' 2>/dev/null || missing+=(python3-venv)
     command -v abidw >/dev/null || missing+=(abigail-tools)
